@@ -1,0 +1,13 @@
+// The subcommands of `rectilin`. Each function adds its options to the parser; the callback it sets does the
+// work and returns the exit status through `status`: 0 done, 1 some input failed.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace rectilin::app {
+
+void add_measure_command(CLI::App& app, int& status);
+void add_convert_command(CLI::App& app, int& status);
+void add_list_commands(CLI::App& app);
+
+}  // namespace rectilin::app

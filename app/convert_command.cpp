@@ -1,0 +1,26 @@
+// rectilin convert: any mesh or shape into a file of another format.
+#include <memory>
+
+#include "commands.h"
+#include "rectilin/measure/source.h"
+
+namespace rectilin::app {
+
+void add_convert_command(CLI::App& app, int& status) {
+  struct Options {
+    std::string source, target;
+    bool text = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("convert", "Write a mesh or a built-in shape to a file");
+  command->add_option("source", options->source, "Mesh file or shape:NAME?key=value")->required();
+  command->add_option("target", options->target, "File to write; .off, .obj, .ply or .stl")->required();
+  command->add_flag("--text", options->text, "Text instead of binary, for .ply and .stl");
+  command->footer("Example: rectilin convert 'shape:blob?faces=100000' blob.ply");
+  command->callback([options, &status] {
+    write_mesh(options->target, load_mesh(options->source).mesh, {.binary = !options->text});
+    status = 0;
+  });
+}
+
+}  // namespace rectilin::app

@@ -1,0 +1,34 @@
+// rectilin: the command line. Parses, calls the libraries, prints.
+#include <exception>
+
+#include "commands.h"
+#include "terminal.h"
+
+int main(int argc, char** argv) {
+  using namespace rectilin::app;
+  CLI::App app(
+      "How rectilinear is a 3D mesh?\n"
+      "R(M) = 3 (max S/P - 2/3), S the surface area, P the sum of the areas projected on three orthogonal\n"
+      "planes, over all rotations of the planes (Lian, Rosin and Sun, IJCV 2010). 1: all faces meet at right\n"
+      "angles; near 0: like a sphere.\n");
+  app.set_version_flag("--version", RECTILIN_VERSION);
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(34);
+  app.footer("Try: rectilin measure shape:pyramid\n     rectilin measure --help");
+
+  int status = 0;
+  add_measure_command(app, status);
+  add_convert_command(app, status);
+  add_list_commands(app);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    // CLI11 prints help to standard output with status 0, complaints to standard error.
+    return app.exit(e) == 0 ? 0 : 2;
+  } catch (const std::exception& e) {
+    complain(e.what());
+    return 1;
+  }
+  return status;
+}

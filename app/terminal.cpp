@@ -1,0 +1,73 @@
+#include "terminal.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+
+namespace rectilin::app {
+namespace {
+
+std::string printed(const char* format, int digits, double x) {
+  char text[400];  // the longest double in fixed notation has 309 digits before the point
+  return {text, static_cast<std::size_t>(std::snprintf(text, sizeof text, format, digits, x))};
+}
+
+std::stop_source& interrupt_source() {
+  static std::stop_source source;
+  return source;
+}
+
+}  // namespace
+
+Progress::Progress(std::size_t total) : total_(total), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+Progress::~Progress() { clear(); }
+
+void Progress::show(std::size_t done, const std::string& text) {
+  if (!terminal_) return;
+  std::cerr << "\r\033[K[" << done << '/' << total_ << "] " << text.substr(0, 60) << std::flush;
+  shown_ = true;
+}
+
+void Progress::clear() {
+  if (shown_) std::cerr << "\r\033[K" << std::flush;
+  shown_ = false;
+}
+
+Table::Table(std::vector<Column> columns) : columns_(std::move(columns)) {
+  for (Column& column : columns_) column.width = std::max(column.width, column.title.size());
+}
+
+std::string Table::header() const {
+  std::vector<std::string> titles;
+  for (const Column& column : columns_) titles.push_back(column.title);
+  return row(titles);
+}
+
+std::string Table::row(const std::vector<std::string>& cells) const {
+  std::string text;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const std::string padding(columns_[i].width - std::min(columns_[i].width, cells[i].size()), ' ');
+    text += i == 0 ? cells[i] + padding : "  " + padding + cells[i];
+  }
+  return text;
+}
+
+std::string fixed(double x, int digits) { return printed("%.*f", digits, x); }
+std::string general(double x, int digits) { return printed("%.*g", digits, x); }
+
+void complain(const std::string& message) { std::cerr << "rectilin: " << message << '\n'; }
+
+std::stop_token stop_on_interrupt() {
+  interrupt_source();  // made before the handler can ask for it
+  std::signal(SIGINT, [](int) {
+    std::signal(SIGINT, SIG_DFL);
+    interrupt_source().request_stop();  // no callbacks are registered: an atomic store
+  });
+  return interrupt_source().get_token();
+}
+
+}  // namespace rectilin::app

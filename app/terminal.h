@@ -1,0 +1,58 @@
+// What the commands share in talking to a person: progress, tables, Ctrl-C.
+#pragma once
+
+#include <cstddef>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace rectilin::app {
+
+/// A line that says how far things are, rewritten in place on standard error. Says nothing if standard error
+/// is not a terminal.
+class Progress {
+ public:
+  explicit Progress(std::size_t total);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// Shows "[done/total] text".
+  void show(std::size_t done, const std::string& text);
+  /// Removes the line, so that something else can be printed.
+  void clear();
+
+ private:
+  std::size_t total_;
+  bool terminal_;
+  bool shown_ = false;
+};
+
+/// Rows of text in columns of fixed width; the first column is flush left, the others right.
+class Table {
+ public:
+  struct Column {
+    std::string title;
+    std::size_t width;  ///< at least; the title's length counts, too
+  };
+  explicit Table(std::vector<Column> columns);
+
+  std::string header() const;
+  std::string row(const std::vector<std::string>& cells) const;
+
+ private:
+  std::vector<Column> columns_;
+};
+
+/// x with `digits` digits behind the point.
+std::string fixed(double x, int digits);
+/// x with `digits` significant digits.
+std::string general(double x, int digits);
+
+/// Complains on standard error, in one line that begins with the program's name.
+void complain(const std::string& message);
+
+/// A token that Ctrl-C (SIGINT) stops. The second Ctrl-C ends the program.
+std::stop_token stop_on_interrupt();
+
+}  // namespace rectilin::app

@@ -1,0 +1,23 @@
+# What every target of the project shares: the language level, warnings, sanitizers.
+function(rectilin_target name)
+  target_compile_features(${name} PUBLIC cxx_std_20)
+  target_compile_options(${name} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+    $<$<BOOL:${RECTILIN_WARNINGS_AS_ERRORS}>:-Werror>)
+  if(RECTILIN_SANITIZE)
+    target_compile_options(${name} PUBLIC -fsanitize=${RECTILIN_SANITIZE} -fno-omit-frame-pointer
+      -fno-sanitize-recover=all)
+    target_link_options(${name} PUBLIC -fsanitize=${RECTILIN_SANITIZE})
+  endif()
+endfunction()
+
+# A library of the project: rectilin_NAME, exported as rectilin::NAME, headers in NAME/include.
+function(rectilin_library name)
+  add_library(rectilin_${name} STATIC ${ARGN})
+  add_library(rectilin::${name} ALIAS rectilin_${name})
+  set_target_properties(rectilin_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(rectilin_${name} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  rectilin_target(rectilin_${name})
+  install(TARGETS rectilin_${name} EXPORT rectilin ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endfunction()

@@ -1,0 +1,46 @@
+// A mesh as the measure sees it: its faces' area vectors, nothing else.
+#pragma once
+
+#include <tbb/cache_aligned_allocator.h>
+
+#include <cstddef>
+#include <vector>
+
+#include "rectilin/measure/mesh.h"
+
+namespace rectilin {
+
+using AlignedDoubles = std::vector<double, tbb::cache_aligned_allocator<double>>;
+
+/// The area vectors of a mesh, one per distinct direction, as a structure of arrays.
+///
+/// A face's area vector is half the cross product of two edges (eqs. 5-6): its length is the face's area,
+/// its direction the normal. P(R) depends only on these vectors up to sign, and faces whose normals are
+/// parallel add up (|u.v| + |u.cv| = |u.(1+c)v|), so each distinct direction is kept once.
+///
+/// Lengths are relative: they are scaled by a power of two such that the largest coordinate
+/// extent lies in [1/2, 1). Neither R nor any ratio of areas depends on it; `area()` undoes it.
+struct AreaVectors {
+  AlignedDoubles x, y, z;     ///< components, sorted along a space-filling curve of directions
+  double total = 0;           ///< S, the sum of all faces' areas, in the scaled unit
+  int exponent = 0;           ///< true lengths are scaled lengths times 2^exponent
+  std::size_t faces = 0;      ///< triangles of positive area that went in
+
+  std::size_t size() const { return x.size(); }
+  Vector3 operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
+
+  /// Surface area in the mesh's own unit; infinite or zero if that is out of double's range.
+  double area() const;
+};
+
+/// Area vectors of a mesh. Two directions are one if they differ by at most kParallel radians, which
+/// is rounding level: a merge changes P by less than kParallel times the merged area. The result does
+/// not depend on the number of threads. Throws MeshError if the total area is zero.
+AreaVectors area_vectors(const Mesh& mesh);
+
+/// The same from vectors given as they are (up to scale), e.g. to test the objective without a mesh.
+AreaVectors area_vectors(const std::vector<Vector3>& vectors);
+
+inline constexpr double kParallel = 1e-14;
+
+}  // namespace rectilin

@@ -1,0 +1,49 @@
+// A triangle mesh as the measure sees it: a soup of triangles in double precision.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace rectilin {
+
+using Vector3 = Eigen::Vector3d;
+
+/// Three indices into Mesh::vertices. Orientation carries no meaning for the measure.
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// Triangles over shared vertices. Open, non-manifold, inconsistently oriented and degenerate
+/// meshes are all legal (paper, section 1, advantage 3). Invariants kept by whoever makes one: every
+/// index is below vertices.size(); every coordinate is finite. Coordinates may be of any scale.
+struct Mesh {
+  std::vector<Vector3> vertices;
+  std::vector<Triangle> triangles;
+};
+
+/// What a reader found, repaired or dropped on the way from a file to a Mesh. All are counts.
+struct MeshReport {
+  std::size_t vertices = 0;      ///< vertex records in the file (STL: three for each triangle)
+  std::size_t polygons = 0;      ///< face records in the file, strips counted by triangle
+  std::size_t triangulated = 0;  ///< polygons of more than three corners, split into triangles
+  std::size_t nonfinite_vertices = 0;  ///< vertices with a NaN or infinite coordinate, removed
+  std::size_t dropped_nonfinite = 0;   ///< polygons dropped because they use such a vertex
+  std::size_t dropped_short = 0;       ///< face records of fewer than three corners, dropped
+  std::size_t degenerate = 0;  ///< triangles of zero area, kept (they weigh nothing): a repeated
+                               ///< index, or a cross product that vanishes at the mesh's scale
+  std::size_t duplicate_vertices = 0;  ///< vertices at a position that an earlier one has, kept;
+                                       ///< none in STL, whose repeated corners are welded
+  std::size_t unreferenced_vertices = 0;  ///< vertices that no triangle uses, kept
+};
+
+/// A mesh that cannot be had. what() is one line: "FILE:PLACE: reason", where PLACE is "line N" for
+/// text and "byte N" for binary data (counted from 0), or "FILE: reason" where no place applies.
+class MeshError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace rectilin

@@ -1,0 +1,36 @@
+// The objective: the sum of projected areas on the planes of a frame, P(R)/S.
+#pragma once
+
+#include "rectilin/measure/area_vectors.h"
+#include "rectilin/optim/objective.h"
+
+namespace rectilin {
+
+/// R(M) from the least ratio P/S (eq. 27): 3 (S/P - 2/3). Ratios lie in [1, sqrt(3)] (eq. 12).
+inline double rectilinearity(double ratio) { return 3 / ratio - 2; }
+
+/// P(R)/S of a mesh, to be minimised over rotations; its merit is the rectilinearity.
+/// P(R) = h(r1) + h(r2) + h(r3) with h(u) = sum_i |u . v_i| over the area vectors (eqs. 1, 2, 7).
+/// Immutable and thread safe; the same bits for any number of threads.
+class ProjectedArea final : public Objective {
+ public:
+  explicit ProjectedArea(AreaVectors vectors, std::string name = "mesh");
+
+  std::string name() const override { return name_; }
+  void values(std::span<const Rotation> rotations, std::span<double> values) const override;
+  bool has_cuts() const override { return true; }
+  void cuts(std::span<const Rotation> rotations, std::span<Cut> cuts) const override;
+  bool has_smooth() const override { return true; }
+  SmoothValue smooth(const Rotation& rotation, double width) const override;
+  bool has_turns() const override { return true; }
+  BestTurn best_turn(const Rotation& rotation, int k) const override;
+  double merit(double value) const override { return rectilinearity(value); }
+
+  const AreaVectors& vectors() const { return vectors_; }
+
+ private:
+  AreaVectors vectors_;
+  std::string name_;
+};
+
+}  // namespace rectilin

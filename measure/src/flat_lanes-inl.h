@@ -1,0 +1,85 @@
+// Running sums held in vector registers, shared by the flat sum and the normal tree.
+// Compiled once per instruction set, hence Highway's toggling include guard.
+#if defined(RECTILIN_FLAT_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef RECTILIN_FLAT_LANES_INL_H
+#undef RECTILIN_FLAT_LANES_INL_H
+#else
+#define RECTILIN_FLAT_LANES_INL_H
+#endif
+
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rectilin::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class D>
+HWY_INLINE double lane_sum(D d, hn::Vec<D> v) {
+  return static_cast<double>(hn::GetLane(hn::SumOfLanes(d, v)));
+}
+
+/// sum + v in the lanes of `mask`: one instruction where there are mask registers (AVX-512), and
+/// otherwise one more than the addition.
+template <class D>
+HWY_INLINE hn::Vec<D> add_if(D, hn::Mask<D> mask, hn::Vec<D> sum, hn::Vec<D> v) {
+#if HWY_TARGET <= HWY_AVX3
+  return hn::IfThenElse(mask, hn::Add(sum, v), sum);
+#else
+  return hn::Add(sum, hn::IfThenElseZero(mask, v));
+#endif
+}
+
+/// sum min(s, 0)
+template <class D>
+struct NegativePart {
+  using V = hn::Vec<D>;
+  static constexpr int kOutputs = 1;
+  V sum;
+
+  HWY_INLINE NegativePart() : sum(hn::Zero(D())) {}  // written out: an implicit one has no target
+  HWY_INLINE void add(V, V, V, V s) { sum = hn::Add(sum, hn::Min(s, hn::Zero(D()))); }
+  HWY_INLINE void add_to(double* out) const { out[0] += lane_sum(D(), sum); }
+};
+
+/// sum of v
+template <class D>
+struct TotalSum {
+  using V = hn::Vec<D>;
+  static constexpr int kOutputs = 3;
+  V x, y, z;
+
+  HWY_INLINE TotalSum() : x(hn::Zero(D())), y(x), z(x) {}
+
+  HWY_INLINE void add(V vx, V vy, V vz, V) {
+    x = hn::Add(x, vx);
+    y = hn::Add(y, vy);
+    z = hn::Add(z, vz);
+  }
+  HWY_INLINE void add_to(double* out) const {
+    out[0] += lane_sum(D(), x);
+    out[1] += lane_sum(D(), y);
+    out[2] += lane_sum(D(), z);
+  }
+};
+
+/// sum of v where s < 0. Since sum sign(s) v = sum v - 2 (that), it stands for the cut; flipping signs
+/// instead would take three exclusive ors on top of the three additions.
+template <class D>
+struct NegativeSum : TotalSum<D> {
+  using V = hn::Vec<D>;
+
+  HWY_INLINE NegativeSum() {}
+  HWY_INLINE void add(V vx, V vy, V vz, V s) {
+    const D d;
+    const auto negative = hn::Lt(s, hn::Zero(d));
+    this->x = add_if(d, negative, this->x, vx);
+    this->y = add_if(d, negative, this->y, vy);
+    this->z = add_if(d, negative, this->z, vz);
+  }
+};
+
+}  // namespace rectilin::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

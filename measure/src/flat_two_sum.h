@@ -1,0 +1,22 @@
+// Compensated summation (Neumaier 1974; Ogita, Rump and Oishi 2005, algorithm Sum2).
+#pragma once
+
+#include <cmath>
+
+namespace rectilin {
+
+/// A running sum whose rounding error is that of its final result, up to second order in the number of
+/// terms. Left uninitialised so that arrays of it cost nothing until used.
+struct TwoSum {
+  double sum, error;
+
+  void add(double term) {
+    const double next = sum + term;
+    const double rounded = next - sum;
+    error += (sum - (next - rounded)) + (term - rounded);
+    sum = next;
+  }
+  double value() const { return sum + error; }
+};
+
+}  // namespace rectilin

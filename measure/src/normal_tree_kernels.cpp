@@ -1,0 +1,191 @@
+// The vector loops of the normal tree, compiled once for each instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "normal_tree_kernels.cpp"
+#include "hwy/foreach_target.h"  // must come before highway.h
+#include "hwy/highway.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "flat_lanes-inl.h"
+#include "hwy/cache_control.h"
+#include "normal_kernels.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rectilin::HWY_NAMESPACE {
+namespace {
+
+using D = hn::CappedTag<double, kFan>;
+using D32 = hn::CappedTag<std::uint32_t, kFan>;
+
+// Nodes that are opened together. A whole level is listed before the next one is visited, so the processor
+// works on many nodes at once and never waits for a branch; a depth-first walk would wait at each node.
+constexpr std::size_t kList = 1024;
+
+// Nodes ahead of the current one whose memory is requested.
+#ifndef AHEAD
+#define AHEAD 8
+#endif
+constexpr std::size_t kAhead = AHEAD;
+
+HWY_INLINE void prefetch(const double* data, std::size_t size) {
+  for (std::size_t i = 0; i < size; i += 8) hwy::Prefetch(data + i);
+}
+
+/// Appends first + j for every set bit j of `bits`; returns how many. Writes up to kFan entries.
+HWY_INLINE std::size_t append(std::uint32_t* list, std::uint32_t first, unsigned bits) {
+  const D32 d;
+  std::size_t size = 0;
+  for (std::size_t lane = 0; lane < kFan; lane += hn::Lanes(d)) {
+    const auto part = static_cast<std::uint8_t>((bits >> lane) & ((1u << hn::Lanes(d)) - 1));
+    const auto ids = hn::Iota(d, first + static_cast<std::uint32_t>(lane));
+    hn::StoreU(hn::CompressBits(ids, &part), d, list + size);
+    size += static_cast<std::size_t>(std::popcount(part));
+  }
+  return size;
+}
+
+template <class Sum, bool kCutOff>
+class Walk {
+ public:
+  HWY_INLINE Walk(const NormalNodes& nodes, const NormalQuery& query, TwoSum* sums)
+      : nodes_(nodes), query_(query), sums_(sums) {}
+
+  HWY_INLINE void run() {
+    const std::uint32_t root = 0;
+    open(nodes_.depth - 1, &root, 1);
+    flush();
+  }
+
+ private:
+  void open(int level, const std::uint32_t* families, std::size_t size) {
+    std::uint32_t children[kList + kFan];
+    for (std::size_t begin = 0; begin < size; begin += kList / kFan) {
+      const std::size_t end = std::min(size, begin + kList / kFan);
+      const std::size_t found = test(nodes_.levels[level], families, begin, end, size, children);
+      if (level > 0) {
+        open(level - 1, children, found);
+      } else {
+        add_leaves(children, found);
+      }
+      if (end < size) flush();  // keeps the number of terms per lane, hence the rounding, bounded
+    }
+  }
+
+  /// Sums the nodes that the circle misses, lists those that it meets.
+  HWY_INLINE std::size_t test(const double* nodes, const std::uint32_t* families, std::size_t begin,
+                              std::size_t end, std::size_t size, std::uint32_t* children) {
+    const D d;
+    const auto a = hn::Set(d, query_.slope.a), b = hn::Set(d, query_.slope.b);
+    const auto reach = hn::Set(d, query_.reach), resolution = hn::Set(d, query_.resolution);
+    Sum sum = sum_;
+    std::size_t found = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      prefetch(nodes + families[std::min(i + kAhead, size - 1)] * kFamily, kFamily);
+      const double* family = nodes + families[i] * kFamily;
+      unsigned bits = 0;
+      for (std::size_t lane = 0; lane < kFan; lane += hn::Lanes(d)) {
+        const auto x = hn::Load(d, family + lane);
+        const auto y = hn::Load(d, family + kFan + lane);
+        const auto z = hn::Load(d, family + 2 * kFan + lane);
+        const auto radius = hn::Load(d, family + 3 * kFan + lane);
+        const auto s = hn::MulAdd(a, x, hn::MulAdd(b, y, z));
+        auto meets = hn::Le(hn::Abs(s), hn::Mul(radius, reach));
+        if (kCutOff) {
+          const auto squared = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
+          meets = hn::And(meets, hn::Gt(hn::Mul(radius, radius), hn::Mul(squared, resolution)));
+        }
+        sum.add(x, y, z, hn::IfThenZeroElse(meets, s));
+        std::uint8_t byte[8] = {};
+        hn::StoreMaskBits(d, meets, byte);
+        bits |= static_cast<unsigned>(byte[0]) << lane;
+      }
+      found += append(children + found, families[i] * static_cast<std::uint32_t>(kFan), bits);
+    }
+    sum_ = sum;
+    return found;
+  }
+
+  HWY_INLINE void add_leaves(const std::uint32_t* leaves, std::size_t size) {
+    const D d;
+    const auto a = hn::Set(d, query_.slope.a), b = hn::Set(d, query_.slope.b);
+    Sum sum = sum_;
+    for (std::size_t i = 0; i < size; ++i) {
+      prefetch(nodes_.leaves + leaves[std::min(i + kAhead, size - 1)] * kLeafSpan, kLeafSpan);
+      const double* leaf = nodes_.leaves + leaves[i] * kLeafSpan;
+      for (std::size_t lane = 0; lane < kLeaf; lane += hn::Lanes(d)) {
+        const auto x = hn::Load(d, leaf + lane);
+        const auto y = hn::Load(d, leaf + kLeaf + lane);
+        const auto z = hn::Load(d, leaf + 2 * kLeaf + lane);
+        sum.add(x, y, z, hn::MulAdd(a, x, hn::MulAdd(b, y, z)));
+      }
+    }
+    sum_ = sum;
+  }
+
+  HWY_INLINE void flush() {
+    double part[Sum::kOutputs] = {};
+    sum_.add_to(part);
+    for (int i = 0; i < Sum::kOutputs; ++i) sums_[i].add(part[i]);
+    sum_ = Sum();
+  }
+
+  const NormalNodes& nodes_;
+  const NormalQuery query_;
+  TwoSum* sums_;
+  Sum sum_;
+};
+
+template <class Sum>
+void kernel(const NormalNodes& nodes, const NormalQuery& query, TwoSum* sums) {
+  if (query.resolution > 0) {
+    Walk<Sum, true>(nodes, query, sums).run();
+  } else {
+    Walk<Sum, false>(nodes, query, sums).run();
+  }
+}
+
+double cap(const double* leaves, std::size_t count, const double* v) {
+  const D d;
+  const auto cx = hn::Set(d, v[0]), cy = hn::Set(d, v[1]), cz = hn::Set(d, v[2]);
+  const auto zero = hn::Zero(d), infinity = hn::Set(d, std::numeric_limits<double>::infinity());
+  const auto squared = hn::MulAdd(cx, cx, hn::MulAdd(cy, cy, hn::Mul(cz, cz)));
+  auto largest = zero;
+  for (const double* leaf = leaves; leaf < leaves + count * kLeafSpan; leaf += kLeafSpan) {
+    for (std::size_t lane = 0; lane < kLeaf; lane += hn::Lanes(d)) {
+      const auto x = hn::Load(d, leaf + lane);
+      const auto y = hn::Load(d, leaf + kLeaf + lane);
+      const auto z = hn::Load(d, leaf + 2 * kLeaf + lane);
+      const auto kx = hn::MulSub(y, cz, hn::Mul(z, cy));
+      const auto ky = hn::MulSub(z, cx, hn::Mul(x, cz));
+      const auto kz = hn::MulSub(x, cy, hn::Mul(y, cx));
+      const auto cross = hn::MulAdd(kx, kx, hn::MulAdd(ky, ky, hn::Mul(kz, kz)));
+      const auto length = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
+      const auto dot = hn::MulAdd(x, cx, hn::MulAdd(y, cy, hn::Mul(z, cz)));
+      const auto sine = hn::Div(cross, hn::Mul(length, squared));
+      const auto angle = hn::IfThenElse(hn::Gt(dot, zero), sine, infinity);
+      largest = hn::Max(largest, hn::IfThenZeroElse(hn::Eq(length, zero), angle));
+    }
+  }
+  return hn::GetLane(hn::MaxOfLanes(d, largest));
+}
+
+const NormalKernels* normal_kernel_table() {
+  static constexpr NormalKernels table = {kernel<NegativePart<D>>, kernel<NegativeSum<D>>, cap};
+  return &table;
+}
+
+}  // namespace
+}  // namespace rectilin::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rectilin {
+
+HWY_EXPORT(normal_kernel_table);
+
+const NormalKernels& normal_kernels() { return *HWY_DYNAMIC_DISPATCH(normal_kernel_table)(); }
+
+}  // namespace rectilin
+#endif

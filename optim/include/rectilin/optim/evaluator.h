@@ -1,0 +1,116 @@
+// The one door through which an optimizer evaluates anything.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "rectilin/optim/objective.h"
+
+namespace rectilin {
+
+/// What a run may spend. A budget in evaluations gives the same result every time; one in seconds does not.
+struct Budget {
+  std::uint64_t evaluations = std::numeric_limits<std::uint64_t>::max();
+  double seconds = std::numeric_limits<double>::infinity();
+};
+
+/// Costs in the one declared unit, an evaluation: the value of the objective at one rotation.
+struct Costs {
+  static constexpr std::uint64_t kPerValue = 1;
+  static constexpr std::uint64_t kPerCut = 2;     ///< sums three components a face where a value sums one
+  static constexpr std::uint64_t kPerSmooth = 4;  ///< besides, a square root and a division a face
+  static constexpr std::uint64_t kPerTurn = 20;   ///< angles of all faces, sorted
+
+  std::uint64_t values = 0;   ///< rotations whose value was asked for
+  std::uint64_t cuts = 0;     ///< rotations whose cut was asked for
+  std::uint64_t smooths = 0;  ///< rotations at which the smooth surrogate was asked for
+  std::uint64_t turns = 0;    ///< circles that were minimised over
+
+  std::uint64_t evaluations() const {
+    return kPerValue * values + kPerCut * cuts + kPerSmooth * smooths + kPerTurn * turns;
+  }
+};
+
+/// The best rotation seen in a run.
+struct Incumbent {
+  Rotation rotation;
+  double value = std::numeric_limits<double>::infinity();
+};
+
+/// A step of a run's history: after `evaluations`, the best value was `value` and the minimum was known
+/// to be at least `lower`.
+struct TracePoint {
+  std::uint64_t evaluations;
+  double seconds;  ///< since the run began; the only field that differs between two equal runs
+  double value;
+  double lower;
+};
+
+/// Owns the budget, the count, the incumbent and the trace of one run, so that they hold whatever the
+/// optimizer (or a foreign library inside it) does. Past the budget nothing is evaluated or counted:
+/// values come back infinite. Not thread safe: a run asks from one thread, in batches, which the objective
+/// works on with all threads.
+class Evaluator {
+ public:
+  /// `objective` must outlive the evaluator.
+  explicit Evaluator(const Objective& objective, Budget budget = {}, std::stop_token stop = {});
+
+  const Objective& objective() const { return objective_; }
+
+  double value(const Rotation& rotation);
+  void values(std::span<const Rotation> rotations, std::span<double> values);
+
+  /// Value and subgradient. Past the budget the value is infinite and the gradient zero.
+  Cut cut(const Rotation& rotation);
+  void cuts(std::span<const Rotation> rotations, std::span<Cut> cuts);
+
+  /// The smooth surrogate. It is an upper bound of the objective, so its value counts for the incumbent only
+  /// once the objective itself is asked for. Past the budget the value is infinite and the gradient zero.
+  SmoothValue smooth(const Rotation& rotation, double width);
+
+  /// Moves `rotation` to the best of its turns about its axis k and returns the value there; past the budget
+  /// it stays, and the value is infinite.
+  double turn(Rotation& rotation, int k);
+
+  /// Reports a proof that no rotation has a value below `bound`.
+  void raise_lower_bound(double bound);
+
+  /// Is the budget spent, the time over or a stop asked for? Then an optimizer returns.
+  bool exhausted() const;
+  /// Evaluations left.
+  std::uint64_t remaining() const;
+  double seconds() const;
+
+  bool has_incumbent() const { return incumbent_.value < std::numeric_limits<double>::infinity(); }
+  const Incumbent& incumbent() const { return incumbent_; }
+  const std::optional<double>& lower_bound() const { return lower_; }
+  const Costs& costs() const { return costs_; }
+
+  /// One point for every improvement of the incumbent or of the bound, and one for the first evaluation.
+  const std::vector<TracePoint>& trace() const { return trace_; }
+
+  /// A digest of every value given, in the order asked for: equal digests, equal runs.
+  std::uint64_t digest() const { return digest_; }
+
+ private:
+  std::size_t affordable(std::size_t count, std::uint64_t price) const;
+  void account(const Rotation& rotation, double value, std::uint64_t evaluations);
+  void record(std::uint64_t evaluations);
+
+  const Objective& objective_;
+  Budget budget_;
+  std::stop_token stop_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Costs costs_;
+  Incumbent incumbent_;
+  std::optional<double> lower_;
+  std::vector<TracePoint> trace_;
+  std::uint64_t digest_ = 0xcbf29ce484222325u;  // FNV-1a's offset basis
+};
+
+}  // namespace rectilin

@@ -1,0 +1,43 @@
+// The paper's genetic algorithm (section 4.3).
+#pragma once
+
+#include "rectilin/optim/optimizer.h"
+
+namespace rectilin {
+
+/// Each individual is three chromosomes, binary codes of the coordinates in the chart's box; its fitness
+/// is 1/value, the paper's S/P. The paper gives five numbers (the first five options); the rest it leaves
+/// open, and the defaults are those of the textbook's simple genetic algorithm (Goldberg 1989, ch. 3) with
+/// elitism, but for selection: S/P varies too little over a population for a roulette wheel to select by.
+struct GeneticOptions {
+  enum class Selection { kTournament, kRoulette, kRank };
+  enum class Encoding { kBinary, kGray };
+
+  int population = 50;      ///< N_g
+  int generations = 200;    ///< N_gen, the first population included; 0: until the budget ends
+  int bits = 20;            ///< L_c, per chromosome
+  double crossover = 0.8;   ///< p_c, per pair of parents
+  double mutation = 0.005;  ///< p_m, per bit
+  Selection selection = Selection::kTournament;
+  int tournament = 2;       ///< contestants per tournament
+  int points = 1;           ///< crossover points in each chromosome
+  Encoding encoding = Encoding::kBinary;
+  int elitism = 1;          ///< best individuals that go on unchanged
+
+  void bind(Parameters& table);
+};
+
+class GeneticAlgorithm final : public OptimizerWith<GeneticOptions> {
+ public:
+  using Options = GeneticOptions;
+  static constexpr const char* kName = "ga";
+
+  /// Throws ParameterError if elitism leaves no room for offspring.
+  explicit GeneticAlgorithm(Options options = {});
+
+  std::string name() const override { return kName; }
+  Capabilities capabilities() const override { return {.batches = true}; }
+  void run(Evaluator& evaluator, const Chart& chart, Random& random) const override;
+};
+
+}  // namespace rectilin

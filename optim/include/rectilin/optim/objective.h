@@ -1,0 +1,71 @@
+// What optimizers minimise: a function of rotations.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <string>
+
+#include "rectilin/optim/rotation.h"
+
+namespace rectilin {
+
+/// A linear minorant: value(Q) >= (gradient . Q) for every rotation Q, where (A . Q) is the sum of products
+/// of entries, with equality at the rotation the cut was taken at.
+struct Cut {
+  double value = 0;          ///< the objective where the cut was taken
+  Eigen::Matrix3d gradient;  ///< a subgradient with respect to the entries of the rotation matrix
+};
+
+/// Derivative of E -> (gradient . E R) at E = identity, along turns about the three coordinate axes of
+/// the rotated frame: moving R to rotation_from_vector(t) * R changes the linear form by (result . t) to
+/// first order.
+inline Eigen::Vector3d turning_gradient(const Eigen::Matrix3d& gradient, const Rotation& at) {
+  const Eigen::Matrix3d b = at.matrix() * gradient.transpose();
+  return {b(1, 2) - b(2, 1), b(2, 0) - b(0, 2), b(0, 1) - b(1, 0)};
+}
+
+/// A smooth function near the objective, at one rotation.
+struct SmoothValue {
+  double value = 0;
+  Eigen::Matrix3d gradient;  ///< with respect to the entries of the rotation matrix
+};
+
+/// The best of all turns of a frame about one of its own axes.
+struct BestTurn {
+  Rotation rotation;
+  double value = 0;  ///< the objective there
+};
+
+/// A function of rotations to minimise; positive, and the same for D R as for R (frame_symmetries()).
+/// Implementations are immutable and safe to call from many threads, and give the same bits for any
+/// number of threads.
+class Objective {
+ public:
+  virtual ~Objective() = default;
+
+  virtual std::string name() const = 0;
+
+  /// values[i] = the objective at rotations[i]. A batch may be much cheaper than its parts; neighbours
+  /// in it that share a row of the matrix, bit for bit, may share that row's work.
+  virtual void values(std::span<const Rotation> rotations, std::span<double> values) const = 0;
+
+  /// Can it give cuts? If not, cuts() must not be called.
+  virtual bool has_cuts() const { return false; }
+  virtual void cuts(std::span<const Rotation> rotations, std::span<Cut> cuts) const;
+
+  /// Can it give a smooth surrogate? If not, smooth() must not be called.
+  virtual bool has_smooth() const { return false; }
+  /// A smooth upper bound that tends to the objective as `width` (radians, > 0) goes to zero: kinks are
+  /// rounded off where a face is within about `width` of being parallel to an axis.
+  virtual SmoothValue smooth(const Rotation& rotation, double width) const;
+
+  /// Can it minimise exactly over the turns about one axis? If not, best_turn() must not be called.
+  virtual bool has_turns() const { return false; }
+  /// The global minimum over the circle of frames that share axis k, k in {0, 1, 2}, with `rotation`.
+  virtual BestTurn best_turn(const Rotation& rotation, int k) const;
+
+  /// The figure people read, a decreasing function of the value: the rectilinearity R(M) for a mesh.
+  virtual double merit(double value) const { return -value; }
+};
+
+}  // namespace rectilin

@@ -1,0 +1,60 @@
+// An optimizer: a search for the rotation of least value.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "rectilin/optim/chart.h"
+#include "rectilin/optim/evaluator.h"
+#include "rectilin/optim/parameters.h"
+#include "rectilin/optim/random.h"
+
+namespace rectilin {
+
+/// What an optimizer is like; shown to people and used to pick fair comparisons.
+struct Capabilities {
+  bool deterministic = true;  ///< same seed and budget in evaluations, same trace, for any number of threads
+  bool uses_chart = true;     ///< searches the chart's box; otherwise it works on rotations themselves
+  bool uses_random = true;    ///< the seed matters
+  bool batches = false;       ///< asks for many values at a time
+  bool needs_cuts = false;    ///< asks for cuts
+  bool certifies = false;     ///< reports lower bounds
+  bool local = false;         ///< improves a start (the incumbent, if there is one) rather than searching everywhere
+};
+
+/// Immutable and thread safe: one optimizer may serve many runs at once.
+class Optimizer {
+ public:
+  virtual ~Optimizer() = default;
+
+  /// The name it is made by, without parameters.
+  virtual std::string name() const = 0;
+  /// Every parameter with its value; making one from these gives the same optimizer.
+  virtual Json parameters() const = 0;
+  virtual Capabilities capabilities() const = 0;
+
+  /// Searches until its own end or until evaluator.exhausted(). The result is the evaluator's incumbent.
+  /// If the evaluator has an incumbent already, a local optimizer starts there and a global one may use it.
+  virtual void run(Evaluator& evaluator, const Chart& chart, Random& random) const = 0;
+};
+
+/// Base of an optimizer whose settings are a struct with `bind(Parameters&)`; see genetic.h for the pattern.
+template <class Options>
+class OptimizerWith : public Optimizer {
+ public:
+  explicit OptimizerWith(Options options) : options_(std::move(options)) {}
+
+  Json parameters() const final {
+    Options copy = options_;
+    Parameters table;
+    copy.bind(table);
+    return table.values();
+  }
+
+  const Options& options() const { return options_; }
+
+ protected:
+  Options options_;
+};
+
+}  // namespace rectilin

@@ -1,0 +1,57 @@
+# Shared by the scripts: steps that speak only when they take long or fail, packages, the build.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+packages=(g++ cmake ninja-build xz-utils
+  libeigen3-dev libtbb-dev nlohmann-json3-dev libcli11-dev catch2)
+
+# step TEXT COMMAND...: says TEXT, runs the command, shows its output only if it fails.
+step() {
+  local text=$1 log; shift
+  log=$(mktemp)
+  printf '%s ...' "$text" >&2
+  local start=$SECONDS
+  if "$@" >"$log" 2>&1; then
+    printf ' done (%d s)\n' $((SECONDS - start)) >&2
+    rm -f "$log"
+  else
+    local status=$?
+    printf ' failed\n' >&2
+    cat "$log" >&2
+    rm -f "$log"
+    exit "$status"
+  fi
+}
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+apt_install() {
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get update -q &&
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "$@"
+}
+
+# install_packages PACKAGE...: installs those that are missing; does nothing on systems without apt.
+install_packages() {
+  command -v apt-get >/dev/null || return 0
+  local missing=() package
+  for package in "$@"; do
+    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] || step "Installing ${missing[*]}" apt_install "${missing[@]}"
+}
+
+# build PRESET [CMAKE OPTION...]: configures and builds in build/PRESET.
+build() {
+  local preset=$1; shift
+  install_packages "${packages[@]}"
+  [ -z "${CI:-}" ] || set -- -DRECTILIN_WARNINGS_AS_ERRORS=ON "$@"
+  step "Configuring ($preset)" cmake --preset "$preset" "$@"
+  step "Building ($preset)" cmake --build --preset "$preset"
+}
+
+# The command, where people and scripts find it.
+link_command() {
+  ln -sfn release/app/rectilin build/rectilin
+}

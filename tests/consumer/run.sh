@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# Installs the built tree into a temporary folder, then builds and runs a small project against it.
+# Usage: run.sh CMAKE BUILD_DIR COMPILER
+set -euo pipefail
+cmake=$1 build=$2 compiler=$3
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+"$cmake" --install "$build" --prefix "$work/prefix" >/dev/null
+"$cmake" -S "$here" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_CXX_COMPILER="$compiler" \
+  -DCMAKE_BUILD_TYPE=Release >/dev/null
+"$cmake" --build "$work/build" >/dev/null
+"$work/build/consumer"

@@ -1,0 +1,104 @@
+// What holds for every optimizer of the registry, and what each promises of its own.
+#include <tbb/global_control.h>
+
+#include "catch.h"
+#include "frame_objective.h"
+#include "rectilin/optim/genetic.h"
+#include "rectilin/optim/registry.h"
+#include "rectilin/optim/run_record.h"
+
+using namespace rectilin;
+
+namespace {
+
+RunRecord run(const std::string& spec, std::uint64_t seed = 1, Budget budget = {},
+              const Chart& chart = covering_chart()) {
+  Random random(99);
+  const test::CubeInPose cube(random_rotation(random));
+  return run_optimizer(*builtin_optimizers().make(spec), cube, {.budget = budget, .seed = seed, .chart = &chart});
+}
+
+}  // namespace
+
+TEST_CASE("every optimizer keeps the budget, finds something and repeats itself", "[optimizers]") {
+  for (const auto& entry : builtin_optimizers().entries()) {
+    INFO(entry.name);
+    const RunRecord a = run(entry.name, 7, {.evaluations = 1234}), b = run(entry.name, 7, {.evaluations = 1234});
+    REQUIRE(a.outcome != RunRecord::Outcome::kFailed);
+    REQUIRE(a.costs.evaluations() <= 1234);
+    REQUIRE(a.merit > 0);
+    REQUIRE(a.merit <= 1 + 1e-12);
+    REQUIRE(a.digest == b.digest);
+    REQUIRE(a.incumbent.rotation.matrix() == b.incumbent.rotation.matrix());
+    const auto optimizer = builtin_optimizers().make(entry.name);
+    if (optimizer->capabilities().uses_random) REQUIRE(run(entry.name, 8, {.evaluations = 1234}).digest != a.digest);
+  }
+}
+
+TEST_CASE("an optimizer made from its own parameters is the same", "[optimizers]") {
+  for (const auto& entry : builtin_optimizers().entries()) {
+    const auto optimizer = builtin_optimizers().make(entry.name);
+    REQUIRE(entry.make(optimizer->parameters())->parameters() == optimizer->parameters());
+    REQUIRE(optimizer->name() == entry.name);
+  }
+}
+
+TEST_CASE("the registry names what it does not know", "[optimizers]") {
+  REQUIRE_THROWS_WITH(builtin_optimizers().make("gaa"), Catch::StartsWith("no optimizer 'gaa'; there are ga"));
+  REQUIRE_THROWS_AS(builtin_optimizers().make("ga?population=1"), ParameterError);
+  REQUIRE_THROWS_AS(builtin_optimizers().make("ga?population=10&elitism=10"), ParameterError);
+}
+
+TEST_CASE("ga spends population times generations, as the paper's 10,000", "[optimizers][ga]") {
+  const RunRecord record = run("ga");
+  REQUIRE(record.costs.values == 10000);
+  REQUIRE(record.outcome == RunRecord::Outcome::kFinished);
+  REQUIRE(run("ga?population=7&generations=3").costs.values == 21);
+  REQUIRE(run("ga?generations=0", 1, {.evaluations = 333}).costs.values == 333);
+}
+
+TEST_CASE("ga comes near the cube's pose with each selection and code", "[optimizers][ga]") {
+  for (const char* spec : {"ga", "ga?encoding=gray", "ga?selection=rank", "ga?points=2", "ga?elitism=0",
+                           "ga?selection=roulette"}) {
+    INFO(spec);
+    double best = 0;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) best = std::max(best, run(spec, seed).merit);
+    REQUIRE(best > 0.97);  // the mean over all rotations is 0
+  }
+}
+
+TEST_CASE("grid contains the ends of the box, so an aligned cube is met exactly", "[optimizers][grid]") {
+  const test::CubeInPose aligned;
+  const auto grid = builtin_optimizers().make("grid?points=3&levels=0");
+  const RunRecord record = run_optimizer(*grid, aligned, {.chart = &paper_chart()});
+  REQUIRE(record.costs.values == 27);
+  REQUIRE(record.incumbent.value == Approx(1).epsilon(1e-15));
+}
+
+TEST_CASE("grid refines: each level comes nearer", "[optimizers][grid]") {
+  double previous = 0;
+  for (int levels : {0, 3, 6, 12}) {
+    const RunRecord record = run("grid?points=10&levels=" + std::to_string(levels), 1, {}, zone_chart());
+    REQUIRE(record.costs.values == 1000u + levels * 8u * 125u);
+    REQUIRE(record.merit >= previous);
+    previous = record.merit;
+  }
+  REQUIRE(previous > 0.9999);
+}
+
+TEST_CASE("a run that throws keeps what it had found", "[optimizers]") {
+  class Thrower final : public Optimizer {
+    std::string name() const override { return "thrower"; }
+    Json parameters() const override { return Json::object(); }
+    Capabilities capabilities() const override { return {}; }
+    void run(Evaluator& evaluator, const Chart&, Random&) const override {
+      evaluator.value(Rotation());
+      throw std::runtime_error("foreign trouble");
+    }
+  };
+  const RunRecord record = run_optimizer(Thrower(), test::CubeInPose(), {});
+  REQUIRE(record.outcome == RunRecord::Outcome::kFailed);
+  REQUIRE(record.error == "foreign trouble");
+  REQUIRE(record.incumbent.value == 1);
+  REQUIRE(to_json(record)["outcome"] == "failed");
+}
