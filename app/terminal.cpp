@@ -6,13 +6,16 @@
 #include <csignal>
 #include <cstdio>
 #include <iostream>
+#include <string_view>
 
 namespace rectilin::app {
 namespace {
 
 std::string printed(const char* format, int digits, double x) {
   char text[400];  // the longest double in fixed notation has 309 digits before the point
-  return {text, static_cast<std::size_t>(std::snprintf(text, sizeof text, format, digits, x))};
+  const std::string_view shown(text, static_cast<std::size_t>(std::snprintf(text, sizeof text, format, digits, x)));
+  const bool minus_zero = shown.starts_with('-') && shown.find_first_not_of("-0.") == std::string_view::npos;
+  return std::string(minus_zero ? shown.substr(1) : shown);
 }
 
 std::stop_source& interrupt_source() {

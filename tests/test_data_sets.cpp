@@ -1,4 +1,5 @@
-// The readers on real files: every model of the data folder is read, or refused with one clear error.
+// The readers on real files: every model of the data folder is read, or refused with one clear
+// error.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -20,7 +21,8 @@ struct Outcome {
   std::string error;
 };
 
-// All models below a folder of the data by relative path; empty, with a warning, if there is no data.
+// All models below a folder of the data by relative path; empty, with a warning, if there is no
+// data.
 std::map<std::string, Outcome> read_all(const std::string& set) {
   std::map<std::string, Outcome> outcomes;
   const char* const data = std::getenv("RECTILIN_DATA");
@@ -48,9 +50,8 @@ std::map<std::string, Outcome> read_all(const std::string& set) {
 }
 
 std::size_t count_refused(const std::map<std::string, Outcome>& outcomes) {
-  return static_cast<std::size_t>(std::count_if(outcomes.begin(), outcomes.end(), [](const auto& o) {
-    return !o.second.error.empty();
-  }));
+  return static_cast<std::size_t>(std::count_if(
+      outcomes.begin(), outcomes.end(), [](const auto& o) { return !o.second.error.empty(); }));
 }
 
 }  // namespace
@@ -74,7 +75,8 @@ TEST_CASE("IKEA furniture: every model is read") {
   CHECK(count_refused(outcomes) == 0);
 }
 
-TEST_CASE("classic models: read with the known number of triangles, refused if there is no surface") {
+TEST_CASE(
+    "classic models: read with the known number of triangles, refused if there is no surface") {
   auto outcomes = read_all("classic");
   if (outcomes.empty()) return;
   const std::map<std::string, std::string> refused = {
@@ -88,10 +90,11 @@ TEST_CASE("classic models: read with the known number of triangles, refused if t
   CHECK(outcomes["common-3d-test-models/teapot.obj"].triangles == 6320);
   CHECK(outcomes["nwtnni-photon/dragon.obj"].triangles == 100000);
   CHECK(outcomes["nwtnni-photon/buddha.obj"].triangles == 100000);
-  CHECK(outcomes["common-3d-test-models/igea.ply"].triangles == 268686);         // triangle strips
+  CHECK(outcomes["common-3d-test-models/igea.ply"].triangles == 268686);  // triangle strips
   CHECK(outcomes["libigl-tutorial-data/inspired_mesh_quads_Smooth.off"].triangles == 3676);
-  CHECK(outcomes["cinolib/E.obj"].triangles == 10);                              // one concave polygon
-  CHECK(outcomes["vclib/bimba_bin.stl"].report.vertices == 3 * outcomes["vclib/bimba_bin.stl"].triangles);
+  CHECK(outcomes["cinolib/E.obj"].triangles == 10);  // one concave polygon
+  CHECK(outcomes["vclib/bimba_bin.stl"].report.vertices ==
+        3 * outcomes["vclib/bimba_bin.stl"].triangles);
 }
 
 TEST_CASE("malformed models: some are read after all, the others give one error with its place") {

@@ -1,11 +1,16 @@
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <numbers>
+#include <random>
 #include <string>
+#include <vector>
 
 #include "catch.h"
 #include "rectilin/measure/mesh_io.h"
@@ -70,14 +75,17 @@ std::string polygon(const std::vector<std::pair<double, double>>& corners) {
 }
 
 const std::string kTriangle = "0 0 0\n1 0 0\n0 1 0\n";
-const std::string kPlyVertices = "element vertex 3\nproperty float x\nproperty float y\n"
-                                 "property float z\n";
+const std::string kPlyVertices =
+    "element vertex 3\nproperty float x\nproperty float y\n"
+    "property float z\n";
 const std::string kPlyFaces = "element face 1\nproperty list uchar int vertex_indices\n";
-const std::string kFacet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
-                           "vertex 0 1 0\nendloop\nendfacet\n";
+const std::string kFacet =
+    "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+    "vertex 0 1 0\nendloop\nendfacet\n";
 
 struct TemporaryFolder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / "rectilin_test_mesh_io";
+  std::filesystem::path path = std::filesystem::temp_directory_path() /
+                               ("rectilin_mesh_io_" + std::to_string(std::random_device{}()));
   TemporaryFolder() { std::filesystem::create_directories(path); }
   ~TemporaryFolder() { std::filesystem::remove_all(path); }
   std::filesystem::path write(const std::string& name, const std::string& bytes) const {
@@ -100,7 +108,8 @@ TEST_CASE("OFF: headers and the data they announce") {
   CHECK(area(off("STCN4nOFF\n3\n3 1 0\n0 0 0 1\n2 0 0 2\n0 3 0 3\n" + face).mesh) == 0.5);
 }
 
-TEST_CASE("OFF: faces with colours, of many corners, over several lines, with more text after them") {
+TEST_CASE(
+    "OFF: faces with colours, of many corners, over several lines, with more text after them") {
   const std::string square = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
   CHECK(area(off(square + "4 0 1 2 3 0.5 0.5 0.5 1\n").mesh) == 1);
   CHECK(area(off(square + "4 0 1 2 3  # red\n").mesh) == 1);
@@ -117,8 +126,10 @@ TEST_CASE("OFF: errors name the line") {
   CHECK(error(off, "OFF BINARY\n") == "m:line 1: OFF BINARY is not supported, only OFF as text");
   CHECK(error(off, "OFF\nx 1 0\n") == "m:line 2: expected the number of vertices, found 'x'");
   CHECK(error(off, "OFF\n-3 1 0\n") == "m:line 2: expected the number of vertices, found '-3'");
-  CHECK(error(off, "nOFF\n4\n3 1 0\n") == "m:line 2: only vertices of three dimensions are supported");
-  CHECK(error(off, head + "0.0 0.0 0.0\n1.0 0.0 0.0\n") == "m:line 4: the file ends after 2 of 3 vertices");
+  CHECK(error(off, "nOFF\n4\n3 1 0\n") ==
+        "m:line 2: only vertices of three dimensions are supported");
+  CHECK(error(off, head + "0.0 0.0 0.0\n1.0 0.0 0.0\n") ==
+        "m:line 4: the file ends after 2 of 3 vertices");
   CHECK(error(off, head + "0.0 0.0\n1.0 0.0 0.0\n") ==
         "m:line 3: expected a coordinate, found the end of the line");
   CHECK(error(off, head + "0 0 0x1\n1 0 0\n") == "m:line 3: expected a coordinate, found '0x1'");
@@ -135,8 +146,9 @@ TEST_CASE("OFF: errors name the line") {
 
 TEST_CASE("OBJ: what faces are made of") {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  for (const char* face : {"f 1 2 3", "f -3 -2 -1", "f 1/1 2/2 3/3", "f 1//7 2//7 3//7", "f 1/1/1 2/ 3//",
-                           "f 1 2\\\n 3\n", "f 1 \\\r\n2 \\\r\n3\r\n", "  f\t1 2 3 # note"}) {
+  for (const char* face :
+       {"f 1 2 3", "f -3 -2 -1", "f 1/1 2/2 3/3", "f 1//7 2//7 3//7", "f 1/1/1 2/ 3//",
+        "f 1 2\\\n 3\n", "f 1 \\\r\n2 \\\r\n3\r\n", "  f\t1 2 3 # note"}) {
     CAPTURE(face);
     CHECK(area(obj(vertices + face).mesh) == 0.5);
   }
@@ -174,9 +186,11 @@ TEST_CASE("numbers keep all their digits, and may be written in any usual way") 
 
 TEST_CASE("PLY as text: all element orders, list types and property names") {
   const std::string head = "ply\nformat ascii 1.0\ncomment #1\nobj_info x\n";
-  CHECK(area(ply(head + kPlyVertices + kPlyFaces + "end_header\n" + kTriangle + "3 0 1 2\n").mesh) ==
+  CHECK(
+      area(ply(head + kPlyVertices + kPlyFaces + "end_header\n" + kTriangle + "3 0 1 2\n").mesh) ==
+      0.5);
+  CHECK(area(ply(head + kPlyFaces + kPlyVertices + "end_header\n3 0 1 2\n" + kTriangle).mesh) ==
         0.5);
-  CHECK(area(ply(head + kPlyFaces + kPlyVertices + "end_header\n3 0 1 2\n" + kTriangle).mesh) == 0.5);
   CHECK(area(ply("ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float64 z\r\n"
                  "property uint8 red\r\nproperty float64 y\r\nproperty float64 x\r\n"
                  "element camera 1\r\nproperty list uint float focus\r\nelement nothing 7\r\n"
@@ -195,7 +209,8 @@ TEST_CASE("PLY binary: both byte orders, every line ending of the header") {
                          "property double y\nproperty short z\nelement face 1\n"
                          "property list ushort uint vertex_indices\nproperty double quality\n"
                          "end_header\n";
-      for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += ending.size()) {
+      for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;
+           at += ending.size()) {
         text.replace(at, 1, ending);
       }
       // The first byte of the body is a line feed, which must not be taken for half a line ending.
@@ -237,12 +252,13 @@ TEST_CASE("PLY: errors name the line or the byte") {
         "m:line 3: a list whose count is no integer");
   CHECK(error(ply, "ply\nelement vertex 1\nproperty real x\n") ==
         "m:line 3: expected a type, found 'real'");
+  CHECK(error(ply, "ply\nend_header\n") == "m:line 2: the header has no line format");
   CHECK(error(ply, "ply\nbogus\n") == "m:line 2: expected a header line, found 'bogus'");
-  CHECK(error(ply, "ply\nelement vertex 1\nproperty float x\nend_header\n1\n") ==
-        "m:line 2: the vertices have no x, y and z");
-  CHECK(error(ply, "ply\n" + kPlyVertices + "element face 1\nproperty uchar red\nend_header\n" +
-                       kTriangle + "0\n") ==
-        "m:line 6: the faces have no list vertex_indices or vertex_index");
+  CHECK(error(ply, "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n") ==
+        "m:line 3: the vertices have no x, y and z");
+  CHECK(error(ply, "ply\nformat ascii 1.0\n" + kPlyVertices +
+                       "element face 1\nproperty uchar red\nend_header\n" + kTriangle + "0\n") ==
+        "m:line 7: the faces have no list vertex_indices or vertex_index");
   CHECK(error(ply, head + kTriangle + "3 0 1 3\n") ==
         "m:line 13: vertex index 3, but there are 3 vertices");
   CHECK(error(ply, head + kTriangle + "3 0 1 -1\n") ==
@@ -266,7 +282,8 @@ TEST_CASE("STL: text and binary, welded") {
        {"solid a\n" + kFacet + kFacet + "endsolid a\n",
         "solid a\n" + kFacet + "endsolid\n\nsolid b\n" + kFacet + "endsolid b",
         "SOLID\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\nENDLOOP\n"
-        "ENDFACET\n" + kFacet + "ENDSOLID\n",
+        "ENDFACET\n" +
+            kFacet + "ENDSOLID\n",
         binary_stl("made here", 2, {{0, 0, 0, 1, 0, 0, 0, 1, 0}, {-0.0f, 0, 0, 1, 0, 0, 0, 1, 0}}),
         binary_stl("solid facet", 2, {{0, 0, 0, 1, 0, 0, 0, 1, 0}, {0, 0, 0, 1, 0, 0, 0, 1, 0}})}) {
     const LoadedMesh loaded = stl(text);
@@ -279,8 +296,9 @@ TEST_CASE("STL: text and binary, welded") {
 
 TEST_CASE("STL: errors name the line or the byte") {
   CHECK(error(stl, "solid\n" + kFacet) == "m:line 8: the file ends before endsolid");
-  CHECK(error(stl, "solid\n" + kFacet.substr(0, 40)) == "m:line 4: expected a coordinate, found the "
-                                                       "end of the file");
+  CHECK(error(stl, "solid\n" + kFacet.substr(0, 40)) ==
+        "m:line 4: expected a coordinate, found the "
+        "end of the file");
   CHECK(error(stl, "solid\nfacet\nvertex 0 0 0\n") == "m:line 3: the file ends within a facet");
   CHECK(error(stl, "solid\nvertex 0 0 0\n") ==
         "m:line 2: expected facet or endsolid, found 'vertex'");
@@ -293,17 +311,20 @@ TEST_CASE("STL: errors name the line or the byte") {
 }
 
 TEST_CASE("what is odd but legal is kept or dropped, and counted") {
-  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 9 9 9\nv nan 0 0\nv 0 -inf 0\n"
-                               "v 1e999 0 0\nv 1.#IND 0 0\n";
-  const LoadedMesh loaded = obj(vertices + "f 1 2 3\nf 1 3 2\nf 1 1 2\nf 1 2 4\nf 1 2 6\nf 7 8 9 1\n"
-                                           "f 1 2\nf\nf 3 2 1 4\n");
+  const std::string vertices =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 9 9 9\nv nan 0 0\nv 0 -inf 0\n"
+      "v 1e999 0 0\nv 1.#IND 0 0\n";
+  const LoadedMesh loaded = obj(vertices +
+                                "f 1 2 3\nf 1 3 2\nf 1 1 2\nf 1 2 4\nf 1 2 6\nf 7 8 9 1\n"
+                                "f 1 2\nf\nf 3 2 1 4\n");
   const MeshReport& report = loaded.report;
   CHECK(report.vertices == 9);
   CHECK(report.polygons == 9);
   CHECK(report.nonfinite_vertices == 4);
   CHECK(report.dropped_nonfinite == 2);
   CHECK(report.dropped_short == 2);
-  CHECK(report.degenerate == 3);  // twice one corner, twice one position, and part of the quadrangle
+  CHECK(report.degenerate ==
+        3);  // twice one corner, twice one position, and part of the quadrangle
   CHECK(report.duplicate_vertices == 1);
   CHECK(report.unreferenced_vertices == 1);
   CHECK(report.triangulated == 1);
@@ -319,9 +340,8 @@ TEST_CASE("a mesh without area is refused, at any scale one with area is not") {
   for (const char* unit : {"1e-307", "1e-120", "1e+120", "1.7e308"}) {
     CAPTURE(unit);
     const std::string u = unit;
-    const LoadedMesh loaded =
-        obj("v 0 0 0\nv " + u + " 0 0\nv " + u + " " + u + " 0\nv 0 " + u + " 0\nv -" + u +
-            " 0 0\nf 1 2 3 4\nf 5 1 4\n");
+    const LoadedMesh loaded = obj("v 0 0 0\nv " + u + " 0 0\nv " + u + " " + u + " 0\nv 0 " + u +
+                                  " 0\nv -" + u + " 0 0\nf 1 2 3 4\nf 5 1 4\n");
     CHECK(loaded.report.degenerate == 0);
     CHECK(loaded.mesh.triangles.size() == 3);
   }
@@ -354,24 +374,33 @@ TEST_CASE("triangles of a planar polygon have its area") {
     CHECK(area(obj(tilted + face).mesh) == Approx(expected * std::sqrt(6)).epsilon(1e-12));
   }
   SECTION("a square with a square hole, joined by a channel of no width") {
-    CHECK(area(obj(polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1},
+    CHECK(area(obj(polygon({{0, 0},
+                            {4, 0},
+                            {4, 4},
+                            {0, 4},
+                            {0, 0},
+                            {1, 1},
+                            {1, 3},
+                            {3, 3},
+                            {3, 1},
                             {1, 1}}))
                    .mesh) == 12);
   }
   SECTION("straight and repeated corners") {
-    CHECK(area(obj(polygon({{0, 0}, {1, 0}, {2, 0}, {2, 0}, {2, 2}, {1, 1}, {1, 1}, {0, 2}})).mesh) ==
-          3);
+    CHECK(
+        area(obj(polygon({{0, 0}, {1, 0}, {2, 0}, {2, 0}, {2, 2}, {1, 1}, {1, 1}, {0, 2}})).mesh) ==
+        3);
   }
 }
 
 TEST_CASE("large polygons take time in proportion") {
   // A million corners on a circle, then a star of as many: the one is a fan, the other exhausts the
   // budget for ears, or not; either way the test ends and no corner is lost.
-  constexpr int kCorners = 100000;
+  constexpr int kCorners = 50000;
   for (const double inner : {1.0, 0.5}) {
     std::string text, face = "f";
     for (int i = 0; i < kCorners; ++i) {
-      const double angle = 2 * M_PI * i / kCorners, radius = i % 2 == 0 ? 1.0 : inner;
+      const double angle = 2 * std::numbers::pi * i / kCorners, radius = i % 2 == 0 ? 1.0 : inner;
       text += "v " + std::to_string(radius * std::cos(angle)) + " " +
               std::to_string(radius * std::sin(angle)) + " 0\n";
       face += " " + std::to_string(i + 1);
@@ -381,16 +410,20 @@ TEST_CASE("large polygons take time in proportion") {
 }
 
 TEST_CASE("a lying header costs no memory") {
-  CHECK(error(off, "OFF\n353535235358 6 0\n0 0 0\n") ==
-        "m:line 2: the header claims 353535235358 vertices and 6 faces, more than the file can hold");
+  CHECK(
+      error(off, "OFF\n353535235358 6 0\n0 0 0\n") ==
+      "m:line 2: the header claims 353535235358 vertices and 6 faces, more than the file can hold");
   CHECK(error(off, "OFF\n9223372036854775807 9223372036854775807 0\n") ==
-        "m:line 2: the header claims 9223372036854775807 vertices and 9223372036854775807 faces, more "
+        "m:line 2: the header claims 9223372036854775807 vertices and 9223372036854775807 faces, "
+        "more "
         "than the file can hold");
-  CHECK(error(ply, "ply\nformat ascii 1.0\nelement vertex 9223372036854775807\nproperty float x\n"
-                   "property float y\nproperty float z\nend_header\n0 0 0\n") ==
-        "m:line 3: the header claims 9223372036854775807 of the element 'vertex', more than the file "
-        "can hold");
-  CHECK(error(ply, "ply\nelement junk 9223372036854775807\nend_header\n") ==
+  CHECK(
+      error(ply,
+            "ply\nformat ascii 1.0\nelement vertex 9223372036854775807\nproperty float x\n"
+            "property float y\nproperty float z\nend_header\n0 0 0\n") ==
+      "m:line 3: the header claims 9223372036854775807 of the element 'vertex', more than the file "
+      "can hold");
+  CHECK(error(ply, "ply\nformat ascii 1.0\nelement junk 9223372036854775807\nend_header\n") ==
         "m: no faces, so there is no surface to measure");
   CHECK(error(stl, binary_stl("", 0xFFFFFFFFu, {{}})) ==
         "m:byte 84: the header claims 4294967295 triangles, the file holds 1");
@@ -416,21 +449,24 @@ TEST_CASE("files that cannot be read or written give one clear error") {
   const auto path = [&](const char* name) { return (folder.path / name).string(); };
   CHECK_THROWS_WITH(read_mesh(folder.path), folder.path.string() + ": not a regular file");
   CHECK_THROWS_WITH(read_mesh(folder.path / "none.off"), path("none.off") + ": no such file");
-  CHECK_THROWS_WITH(read_mesh(folder.write("empty.stl", "")), path("empty.stl") + ": the file is empty");
+  CHECK_THROWS_WITH(read_mesh(folder.write("empty.stl", "")),
+                    path("empty.stl") + ": the file is empty");
   const Mesh mesh = obj("v 0 0 0\nv 1 0 0\nv 0 1e39 0\nf 1 2 3\n").mesh;
   CHECK_THROWS_WITH(write_mesh(folder.path / "none" / "a.off", mesh),
                     path("none/a.off") + ": cannot be written");
   CHECK_THROWS_WITH(write_mesh(folder.path / "a.xyz", mesh),
                     path("a.xyz") + ": the extension is none of .off, .obj, .ply, .stl");
-  CHECK_THROWS_WITH(write_mesh(folder.path / "a.stl", mesh),
-                    path("a.stl") + ": a coordinate is too large for the single precision of binary STL");
+  CHECK_THROWS_WITH(
+      write_mesh(folder.path / "a.stl", mesh),
+      path("a.stl") + ": a coordinate is too large for the single precision of binary STL");
 }
 
 TEST_CASE("what is written reads back the same") {
   const TemporaryFolder folder;
   constexpr double kTiny = std::numeric_limits<double>::denorm_min();
-  const Mesh mesh{{{0.1, 1.0 / 3.0, -1e-300}, {kTiny, 2e10, 3}, {4, 5, 6.000000000000001}, {7, 8, -0.0}},
-                  {{0, 1, 2}, {3, 2, 1}, {0, 0, 3}}};
+  const Mesh mesh{
+      {{0.1, 1.0 / 3.0, -1e-300}, {kTiny, 2e10, 3}, {4, 5, 6.000000000000001}, {7, 8, -0.0}},
+      {{0, 1, 2}, {3, 2, 1}, {0, 0, 3}}};
   for (const char* name : {"a.off", "a.obj", "a.ply", "a.stl"}) {
     for (const bool binary : {false, true}) {
       const std::filesystem::path file = folder.path / name;
@@ -441,8 +477,10 @@ TEST_CASE("what is written reads back the same") {
       const bool single = binary && std::string(name) == "a.stl";
       REQUIRE(back.mesh.vertices.size() == mesh.vertices.size());
       for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-        CHECK(back.mesh.vertices[i] ==
-              (single ? mesh.vertices[i].cast<float>().cast<double>().eval() : mesh.vertices[i]));
+        for (int k = 0; k < 3; ++k) {
+          const double written = mesh.vertices[i][k];
+          CHECK(back.mesh.vertices[i][k] == (single ? static_cast<float>(written) : written));
+        }
       }
       CHECK(back.mesh.triangles == mesh.triangles);
     }

@@ -18,32 +18,35 @@ struct FaceSpan {
   }
 };
 
-/// Sizes are multiples of this many vectors: one cache line, the widest register of any instruction set.
+/// Sizes are multiples of this many vectors: one cache line, the widest register of any instruction
+/// set.
 template <class T>
 inline constexpr std::size_t kLane = 64 / sizeof(T);
 
-/// Vectors whose sum is formed in vector registers before it is added to a double. Three arrays of this
-/// length take 24 KB, half of a first-level cache, and are read from there by all directions.
+/// Vectors whose sum is formed in vector registers before it is added to a double. Three arrays of
+/// this length take 48 KB: read again and again from the second-level cache by all directions, and
+/// long enough that setting up registers and adding up their lanes costs little.
 template <class T>
 inline constexpr std::size_t kBlock = 16384 / sizeof(T);
 
-/// Vectors that one kernel call sums at most; also a task's share when faces are split over threads.
+/// Vectors that one kernel call sums at most; also a task's share when faces are split over
+/// threads.
 inline constexpr std::size_t kChunk = 32768;
 
 /// For every direction k, adds kOutputs sums over `faces` and `tail` to sums[kOutputs k], ...
 /// `tail` is either empty or the padded end of the faces. Sums are in units of the slope's scale.
 template <class T>
-using FlatKernel = void (*)(const FaceSpan<T>& faces, const FaceSpan<T>& tail, const Slope<T>* slopes,
-                            std::size_t directions, double* sums);
+using FlatKernel = void (*)(const FaceSpan<T>& faces, const FaceSpan<T>& tail,
+                            const Slope<T>* slopes, std::size_t directions, double* sums);
 
-/// The three sums there are; `s` is a x + b y + z.
+/// The three sums there are; s is a x + b y + z (see flat_slope.h for their use).
 enum FlatQuantity : int {
-  kAbsolute,  ///< |s|: one output
-  kNegative,  ///< v where s < 0: three outputs
-  kTotal,     ///< v: three outputs
+  kNegativePart,  ///< min(s, 0): one output
+  kNegativeSum,   ///< v where s < 0: three outputs
+  kTotal,         ///< v: three outputs
 };
 
-constexpr std::size_t outputs(FlatQuantity quantity) { return quantity == kAbsolute ? 1 : 3; }
+constexpr std::size_t outputs(FlatQuantity quantity) { return quantity == kNegativePart ? 1 : 3; }
 
 /// One instruction set's kernels, indexed by FlatQuantity.
 struct FlatKernels {

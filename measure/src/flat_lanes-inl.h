@@ -63,8 +63,7 @@ struct TotalSum {
   }
 };
 
-/// sum of v where s < 0. Since sum sign(s) v = sum v - 2 (that), it stands for the cut; flipping signs
-/// instead would take three exclusive ors on top of the three additions.
+/// sum of v where s < 0
 template <class D>
 struct NegativeSum : TotalSum<D> {
   using V = hn::Vec<D>;

@@ -1,4 +1,4 @@
-// Splits a flat sum into kernel calls: over chunks of faces, slabs of directions, and threads.
+// Splits flat sums into kernel calls: over chunks of faces, slabs of directions, and threads.
 #include "rectilin/measure/flat_sum.h"
 
 #include <tbb/parallel_for.h>
@@ -17,24 +17,27 @@ template <class T>
 struct FlatFaces {
   FaceSpan<T> whole, tail;
 
-  std::size_t chunks() const { return std::max<std::size_t>(1, (whole.size + kChunk - 1) / kChunk); }
+  std::size_t chunks() const {
+    return std::max<std::size_t>(1, (whole.size + kChunk - 1) / kChunk);
+  }
 
   void sum_chunk(FlatKernel<T> kernel, std::size_t chunk, std::span<const Slope<T>> slopes,
                  double* sums) const {
     const std::size_t begin = chunk * kChunk, end = std::min(begin + kChunk, whole.size);
     const bool last = end == whole.size;
-    kernel(whole.slice(begin, end), tail.slice(0, last ? tail.size : 0), slopes.data(), slopes.size(),
-           sums);
+    kernel(whole.slice(begin, end), tail.slice(0, last ? tail.size : 0), slopes.data(),
+           slopes.size(), sums);
   }
 };
 
 namespace {
 
-// Directions carried through all faces together; their slopes and sums live on the stack. A population of
-// fifty rotations fits.
+// Directions carried through all faces together; their slopes and sums live on the stack. A
+// population of fifty rotations fits.
 constexpr std::size_t kSlab = 192;
 
-// Directions of one task when threads share the directions: a multiple of every kernel's group size.
+// Directions of one task when threads share the directions: a multiple of every kernel's group
+// size.
 constexpr std::size_t kTaskDirections = 32;
 
 // Below this many (face, direction) pairs, some 50 microseconds, tasks cost more than they save.
@@ -42,8 +45,8 @@ constexpr std::size_t kSerialPairs = std::size_t{1} << 21;
 
 enum class Schedule { kSerial, kThreads };
 
-/// Kernel sums for one slab of directions. Chunks are combined in index order whether or not threads
-/// summed them, so both ways give the same bits.
+/// Kernel sums for one slab of directions. Chunks are combined in index order whether or not
+/// threads summed them, so both ways give the same bits.
 template <class T>
 void sum_faces(const FlatFaces<T>& faces, FlatKernel<T> kernel, std::span<const Slope<T>> slopes,
                std::span<TwoSum> sums, Schedule schedule) {
@@ -64,7 +67,8 @@ void sum_faces(const FlatFaces<T>& faces, FlatKernel<T> kernel, std::span<const 
   }
 }
 
-/// sums[k] of a slab: from slopes to results. `finish(u, scale, sums)` turns kernel sums into a result.
+/// sums[k] of a slab: from slopes to results. `finish(u, scale, sums)` turns kernel sums into a
+/// result.
 template <class T, class Result, class Finish>
 void evaluate_slab(const FlatFaces<T>& faces, const FlatKernels& kernels, FlatQuantity quantity,
                    std::span<const Vector3> u, std::span<Result> results, const Finish& finish,
@@ -83,11 +87,11 @@ void evaluate_slab(const FlatFaces<T>& faces, const FlatKernels& kernels, FlatQu
   for (std::size_t k = 0; k < u.size(); ++k) results[k] = finish(u[k], scale[k], &sums[width * k]);
 }
 
-/// All directions: serially if there is little to do, else sharing faces or directions among threads,
-/// whichever gives more tasks.
+/// All directions: serially if there is little to do, else sharing faces or directions among
+/// threads, whichever gives more tasks.
 template <class T, class Result, class Finish>
 void evaluate_all(const FlatFaces<T>& faces, const FlatKernels& kernels, FlatQuantity quantity,
-              std::span<const Vector3> u, std::span<Result> results, const Finish& finish) {
+                  std::span<const Vector3> u, std::span<Result> results, const Finish& finish) {
   assert(u.size() == results.size());
   const auto slab = [&](std::size_t begin, std::size_t size, Schedule schedule) {
     const std::size_t count = std::min(size, u.size() - begin);
@@ -142,8 +146,9 @@ FlatFaces<float> FlatSum::single_faces() const {
 FlatFaces<double> FlatSum::double_faces() const {
   const std::size_t whole = whole_lanes(size(), kLane<double>);
   const double* tail = tail_.data();
-  return {{vectors_->x.data(), vectors_->y.data(), vectors_->z.data(), whole},
-          {tail, tail + kLane<double>, tail + 2 * kLane<double>, whole < size() ? kLane<double> : 0}};
+  return {
+      {vectors_->x.data(), vectors_->y.data(), vectors_->z.data(), whole},
+      {tail, tail + kLane<double>, tail + 2 * kLane<double>, whole < size() ? kLane<double> : 0}};
 }
 
 template <class Result, class Finish>
@@ -157,27 +162,28 @@ void FlatSum::evaluate(FlatQuantity quantity, std::span<const Vector3> u, std::s
 }
 
 void FlatSum::values(std::span<const Vector3> u, std::span<double> h) const {
-  evaluate(kAbsolute, u, h, [this](const Vector3& w, double scale, const TwoSum* negative) {
-    return std::max(0.0, std::copysign(1.0, scale) * total_.dot(w) - 2 * std::abs(scale) * negative->value());
+  evaluate(kNegativePart, u, h, [this](const Vector3& w, double scale, const TwoSum* part) {
+    return value_from_negative(total_, w, scale, part->value());
   });
 }
 
 void FlatSum::cuts(std::span<const Vector3> u, std::span<Vector3> g) const {
-  evaluate(kNegative, u, g, [this](const Vector3&, double scale, const TwoSum* negative) {
-    return Vector3(std::copysign(1.0, scale) * (total_ - 2 * vector(negative)));
+  evaluate(kNegativeSum, u, g, [this](const Vector3&, double scale, const TwoSum* sum) {
+    return cut_from_negative(total_, scale, vector(sum));
   });
 }
 
 double FlatSum::relative_error_bound(Precision precision) {
-  // In units of the last place u, for the narrowest registers (16 bytes): a sum of kBlock / lanes terms in
-  // each lane, then of the lanes; a projection (4 for the slopes and multiply-adds, 6 without fused ones,
-  // 1 for a component's conversion).
-  const auto block = [](std::size_t faces, std::size_t lanes) {
-    return static_cast<double>(faces / lanes + lanes) + 8;
+  // In units of roundoff, for the least number of lanes, one: the kBlock terms of a block, and 8
+  // for a projection (slopes, multiply-adds, fused or not, conversion of the components). Then
+  // kChunk / kBlock blocks of a chunk. Chunks are compensated. Both the negative side, which counts
+  // twice, and the total err by that.
+  const auto error = [](std::size_t block, double roundoff) {
+    const auto terms = static_cast<double>(block) + 8;
+    return 3 * (terms * roundoff + static_cast<double>(kChunk / block + 2) * 0x1p-53);
   };
-  if (precision == Precision::kSingle) return block(kBlock<float>, 4) * 0x1p-24;
-  // ... and kChunk / kBlock blocks of a chunk, and the rounding of the result.
-  return (block(kBlock<double>, 2) + kChunk / kBlock<double> + 2) * 0x1p-53;
+  return precision == Precision::kSingle ? error(kBlock<float>, 0x1p-24)
+                                         : error(kBlock<double>, 0x1p-53);
 }
 
 std::size_t FlatSum::bytes() const { return sizeof(*this) + single_.capacity() * sizeof(float); }

@@ -1,8 +1,11 @@
 // The vector loops of the flat sum, compiled once for each instruction set.
+// foreach_target.h includes this file again for every instruction set and has to come first.
+// clang-format off
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "flat_sum_kernels.cpp"
-#include "hwy/foreach_target.h"  // must come before highway.h
+#include "hwy/foreach_target.h"
 #include "hwy/highway.h"
+// clang-format on
 
 #include <algorithm>
 
@@ -14,8 +17,8 @@ namespace rectilin::HWY_NAMESPACE {
 namespace {
 
 // Directions that share one pass over a block. Each takes two registers for its slopes and one per
-// output for its sums; three more hold a face vector and one the projection. More directions would spill,
-// fewer would leave too few independent additions to cover their latency.
+// output for its sums; three more hold a face vector and one the projection. More directions would
+// spill, fewer would leave too few independent additions to cover their latency.
 #if HWY_TARGET <= HWY_AVX3 || HWY_ARCH_ARM
 constexpr int kRegisters = 32;
 #else
@@ -51,8 +54,8 @@ struct Group {
 };
 
 template <class D, class Sum, int kCount, class T>
-HWY_NOINLINE void add_group(const FaceSpan<T>& faces, const FaceSpan<T>& tail, const Slope<T>* slopes,
-                            double* sums) {
+HWY_NOINLINE void add_group(const FaceSpan<T>& faces, const FaceSpan<T>& tail,
+                            const Slope<T>* slopes, double* sums) {
   Group<D, Sum, kCount> group(slopes);
   group.add(faces);
   group.add(tail);

@@ -13,7 +13,8 @@
 
 namespace rectilin {
 
-/// Walks over binary data; errors name the byte. Refers to the data and the name without copying them.
+/// Walks over binary data; errors name the byte. Refers to the data and the name without copying
+/// them.
 class ByteReader {
  public:
   ByteReader(std::string_view bytes, std::size_t begin, std::endian order, std::string_view name)

@@ -22,7 +22,7 @@ std::uint64_t hash_position(const Vector3& position) {
   std::uint64_t hash = 0;
   for (const double coordinate : position) {
     hash ^= std::bit_cast<std::uint64_t>(coordinate + 0.0);  // the sum makes one zero of two
-    hash *= 0x9E3779B97F4A7C15u;                              // Knuth's multiplicative hashing
+    hash *= 0x9E3779B97F4A7C15u;                             // Knuth's multiplicative hashing
     hash ^= hash >> 32;
   }
   return hash;
@@ -52,8 +52,8 @@ std::vector<std::uint32_t> first_at_position(const std::vector<Vector3>& vertice
   return first;
 }
 
-// Removes vertices that are not finite and, if asked to, welds equal ones. Returns for each old vertex
-// its new index, or kNone.
+// Removes vertices that are not finite and, if asked to, welds equal ones. Returns for each old
+// vertex its new index, or kNone.
 std::vector<std::uint32_t> compact_vertices(PolygonSoup& soup, MeshReport& report) {
   const std::vector<std::uint32_t> first = first_at_position(soup.vertices);
   std::vector<std::uint32_t> target(soup.vertices.size(), kNone);
@@ -104,8 +104,8 @@ std::size_t count_unreferenced(const Mesh& mesh) {
   return static_cast<std::size_t>(std::count(used.begin(), used.end(), 0));
 }
 
-// Areas are taken at the scale of the triangles' bounding box, so that they vanish only where they are
-// nothing against the mesh, whatever its unit of length.
+// Areas are taken at the scale of the triangles' bounding box, so that they vanish only where they
+// are nothing against the mesh, whatever its unit of length.
 std::size_t count_degenerate(const Mesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Triangle& triangle : mesh.triangles) {

@@ -8,8 +8,8 @@ namespace rectilin {
 namespace {
 
 struct Keyword {
-  bool homogeneous = false;     // '4': each vertex has a fourth coordinate that divides the others
-  bool any_dimension = false;   // 'n': the number of coordinates precedes the counts
+  bool homogeneous = false;    // '4': each vertex has a fourth coordinate that divides the others
+  bool any_dimension = false;  // 'n': the number of coordinates precedes the counts
   std::size_t size = 0;
 };
 
@@ -98,8 +98,8 @@ std::string_view next_corner(LineReader& text, bool& continued) {
   return word;
 }
 
-// What follows the corners on their line is a colour. Not so where the corners go over several lines:
-// there it rather says that the face has fewer corners than it claims.
+// What follows the corners on their line is a colour. Not so where the corners go over several
+// lines: there it rather says that the face has fewer corners than it claims.
 void read_face(LineReader& text, std::int64_t vertices, PolygonSoup& soup) {
   const std::int64_t corners = text.integer("the number of corners");
   if (corners < 0) text.fail("a face of " + std::to_string(corners) + " corners");

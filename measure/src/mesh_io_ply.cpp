@@ -2,122 +2,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <utility>
 
 #include "mesh_bytes.h"
+#include "mesh_ply.h"
 #include "mesh_soup.h"
-#include "mesh_text.h"
 
 namespace rectilin {
 namespace {
 
-enum class Type { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32, kFloat64 };
-enum class Encoding { kText, kLittleEndian, kBigEndian };
-
-struct Property {
-  std::string_view name;
-  Type type;
-  std::optional<Type> count_type;  // of a list
-};
-
-struct Element {
-  std::string_view name;
-  std::size_t count;
-  std::size_t line;  // of the header
-  std::vector<Property> properties;
-};
-
-struct Header {
-  Encoding encoding = Encoding::kText;
-  std::vector<Element> elements;
-};
-
-std::size_t size_of(Type type) {
-  constexpr std::array<std::size_t, 8> kSizes = {1, 1, 2, 2, 4, 4, 4, 8};
-  return kSizes[static_cast<std::size_t>(type)];
-}
-
-// ---- The header ----
-
-Type parse_type(LineReader& text) {
-  struct Name {
-    std::string_view original, sized;
-  };
-  constexpr std::array<Name, 8> kNames = {{{"char", "int8"},
-                                           {"uchar", "uint8"},
-                                           {"short", "int16"},
-                                           {"ushort", "uint16"},
-                                           {"int", "int32"},
-                                           {"uint", "uint32"},
-                                           {"float", "float32"},
-                                           {"double", "float64"}}};
-  const std::string_view word = text.word();
-  const auto found = std::find_if(kNames.begin(), kNames.end(), [&](const Name& name) {
-    return word == name.original || word == name.sized;
-  });
-  if (found == kNames.end()) text.fail_expected("a type", word);
-  return static_cast<Type>(found - kNames.begin());
-}
-
-Encoding parse_encoding(LineReader& text) {
-  const std::string_view word = text.word();
-  if (word == "ascii") return Encoding::kText;
-  if (word == "binary_little_endian") return Encoding::kLittleEndian;
-  if (word == "binary_big_endian") return Encoding::kBigEndian;
-  text.fail_expected("ascii, binary_little_endian or binary_big_endian", word);
-}
-
-Property parse_property(LineReader& text) {
-  Property property{};
-  const std::string_view word = text.word();
-  if (word == "list") {
-    property.count_type = parse_type(text);
-    if (*property.count_type >= Type::kFloat32) text.fail("a list whose count is no integer");
-  } else {
-    text.unread(word.size());
-  }
-  property.type = parse_type(text);
-  property.name = text.word();
-  if (property.name.empty()) text.fail_expected("a property's name", {});
-  return property;
-}
-
-Element parse_element(LineReader& text) {
-  const std::string_view name = text.word();
-  const std::int64_t count = text.integer("an element's name and count");
-  if (count < 0) text.fail("a negative count of elements");
-  return {name, static_cast<std::size_t>(count), text.line(), {}};
-}
-
-// Reads up to the word end_header, whose line is then not yet left.
-Header read_header(LineReader& text) {
-  if (!text.next_line() || text.word() != "ply") text.fail("expected ply on the first line");
-  Header header;
-  while (text.next_line()) {
-    const std::string_view keyword = text.word();
-    if (keyword == "end_header") return header;
-    if (keyword == "format") {
-      header.encoding = parse_encoding(text);
-    } else if (keyword == "element") {
-      header.elements.push_back(parse_element(text));
-    } else if (keyword == "property") {
-      if (header.elements.empty()) text.fail("a property before any element");
-      header.elements.back().properties.push_back(parse_property(text));
-    } else if (keyword != "comment" && keyword != "obj_info") {
-      text.fail_expected("a header line", keyword);
-    }
-  }
-  text.fail("the file ends within the header");
-}
-
-// The first byte after the line of end_header. Binary data may begin with a byte that looks like a line
-// ending, so the lines before tell how lines end.
-std::size_t body_offset(const LineReader& text, std::string_view bytes) {
-  const std::size_t end = bytes.find(text.line_ending(), text.offset());
-  return end == std::string_view::npos ? bytes.size() : end + 1;
-}
-
-// ---- The values after the header ----
+using namespace ply;
 
 // Both sources give values one by one; all types fit into a double.
 class TextSource {
@@ -162,9 +56,9 @@ class BinarySource {
       case Type::kFloat32:
         return data_.read<float>();
       case Type::kFloat64:
-        return data_.read<double>();
+        break;
     }
-    fail("unreachable");
+    return data_.read<double>();
   }
   void end_item() {}
   std::size_t remaining() const { return data_.remaining(); }
@@ -211,8 +105,9 @@ class BodyReader {
     }
     // One more, since the last line of a text need not end.
     if (smallest > 0 && element.count > (source_.remaining() + 1) / smallest) {
-      fail_header(element, "the header claims " + std::to_string(element.count) + " of the element " +
-                               quoted(element.name) + ", more than the file can hold");
+      fail_header(element, "the header claims " + std::to_string(element.count) +
+                               " of the element " + quoted(element.name) +
+                               ", more than the file can hold");
     }
   }
 
@@ -301,8 +196,8 @@ class BodyReader {
     return static_cast<std::uint32_t>(index);
   }
 
-  // Each index from a strip's third on makes a triangle with the two before it, turned the other way
-  // every second time; -1 starts a new strip.
+  // Each index from a strip's third on makes a triangle with the two before it, turned the other
+  // way every second time; -1 starts a new strip.
   void append_to_strip(std::int64_t index) {
     if (index == -1) {
       strip_length_ = 0;

@@ -55,7 +55,8 @@ PolygonSoup read_binary(std::string_view bytes, const std::string& name) {
   return soup;
 }
 
-// Between "facet" and "endfacet" come lines of one vertex each; "outer loop" and "endloop" say nothing.
+// Between "facet" and "endfacet" come lines of one vertex each; "outer loop" and "endloop" say
+// nothing.
 void read_facet(LineReader& text, PolygonSoup& soup) {
   while (text.next_line()) {
     const std::string_view keyword = text.word();

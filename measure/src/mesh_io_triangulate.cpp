@@ -4,9 +4,19 @@
 #include "mesh_triangulate.h"
 
 namespace rectilin {
+namespace {
+
+// Twice the signed area of a triangle, positive if counterclockwise.
+double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+  const Eigen::Vector2d p = b - a, q = c - a;
+  return p.x() * q.y() - p.y() * q.x();
+}
+
+}  // namespace
 
 double unit_scale(const Eigen::AlignedBox3d& box) {
-  // Halves, since the full side may overflow. The bound keeps the scale finite for the smallest boxes.
+  // Halves, since the full side may overflow. The bound keeps the scale finite for the smallest
+  // boxes.
   const double half_side = (0.5 * box.max() - 0.5 * box.min()).maxCoeff();
   constexpr int kSmallestExponent = -1020;
   const int exponent = half_side > 0 ? std::ilogb(half_side) + 1 : 0;
@@ -53,15 +63,13 @@ bool PolygonTriangulator::project(const std::vector<Vector3>& vertices,
   return true;
 }
 
-// Twice the signed area of a triangle in the projection, positive if counterclockwise.
-double PolygonTriangulator::turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-  const Eigen::Vector2d p = points_[b] - points_[a], q = points_[c] - points_[a];
-  return p.x() * q.y() - p.y() * q.x();
+double PolygonTriangulator::turn_at(std::uint32_t corner) const {
+  return turn(points_[previous_[corner]], points_[corner], points_[next_[corner]]);
 }
 
 bool PolygonTriangulator::fan_keeps_orientation() const {
   for (std::uint32_t i = 2; i < points_.size(); ++i) {
-    if (turn(0, i - 1, i) < 0) return false;
+    if (turn(points_[0], points_[i - 1], points_[i]) < 0) return false;
   }
   return true;
 }
@@ -75,9 +83,7 @@ void PolygonTriangulator::clip_ears(std::span<const std::uint32_t> polygon,
     previous_[i] = i == 0 ? size - 1 : i - 1;
     next_[i] = i + 1 == size ? 0 : i + 1;
   }
-  reflex_.clear();
-  is_reflex_.assign(size, 0);
-  for (std::uint32_t i = 0; i < size; ++i) update_reflex(i);
+  find_reflex();
   work_left_ = kWorkPerCorner * static_cast<std::int64_t>(size);
 
   // Round and round until a full turn finds nothing to cut; then, for one cut, with less demand.
@@ -116,22 +122,32 @@ bool PolygonTriangulator::can_cut(std::uint32_t corner, Cut cut) {
   return false;
 }
 
+void PolygonTriangulator::find_reflex() {
+  reflex_.clear();
+  is_reflex_.assign(points_.size(), 0);
+  for (std::uint32_t i = 0; i < points_.size(); ++i) {
+    is_reflex_[i] = turn_at(i) <= 0;
+    if (is_reflex_[i]) reflex_.push_back({points_[i], i});
+  }
+  reflex_count_ = reflex_.size();
+  std::sort(reflex_.begin(), reflex_.end(), [](const ReflexCorner& p, const ReflexCorner& q) {
+    return p.point.x() != q.point.x() ? p.point.x() < q.point.x() : p.corner < q.corner;
+  });
+}
+
 // Whether no reflex corner lies in or on the triangle at a corner.
 bool PolygonTriangulator::is_empty(std::uint32_t corner) {
-  const std::uint32_t a = previous_[corner], b = corner, c = next_[corner];
-  for (std::size_t i = 0; i < reflex_.size();) {
-    const std::uint32_t p = reflex_[i];
-    if (!is_reflex_[p]) {
-      reflex_[i] = reflex_.back();
-      reflex_.pop_back();
-      continue;
-    }
-    ++i;
+  const Eigen::Vector2d &a = points_[previous_[corner]], &b = points_[corner],
+                        &c = points_[next_[corner]];
+  const auto [left, right] = std::minmax({a.x(), b.x(), c.x()});
+  const auto begin =
+      std::lower_bound(reflex_.begin(), reflex_.end(), left,
+                       [](const ReflexCorner& p, double x) { return p.point.x() < x; });
+  for (auto p = begin; p != reflex_.end() && p->point.x() <= right; ++p) {
     --work_left_;
-    const bool inside = turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
-    const bool coincides =
-        points_[p] == points_[a] || points_[p] == points_[b] || points_[p] == points_[c];
-    if (inside && !coincides) return false;
+    const Eigen::Vector2d& q = p->point;
+    const bool inside = turn(a, b, q) >= 0 && turn(b, c, q) >= 0 && turn(c, a, q) >= 0;
+    if (inside && is_reflex_[p->corner] && q != a && q != b && q != c) return false;
   }
   return true;
 }
@@ -140,15 +156,19 @@ void PolygonTriangulator::unlink(std::uint32_t corner) {
   const std::uint32_t before = previous_[corner], after = next_[corner];
   next_[before] = after;
   previous_[after] = before;
-  is_reflex_[corner] = 0;
-  update_reflex(before);
-  update_reflex(after);
+  set_not_reflex(corner);
+  for (const std::uint32_t neighbour : {before, after}) {
+    if (turn_at(neighbour) > 0) set_not_reflex(neighbour);
+  }
 }
 
-void PolygonTriangulator::update_reflex(std::uint32_t corner) {
-  const bool reflex = turn_at(corner) <= 0;
-  if (reflex && !is_reflex_[corner]) reflex_.push_back(corner);
-  is_reflex_[corner] = reflex;
+// A corner of a simple polygon that is not reflex never becomes so by cutting ears.
+void PolygonTriangulator::set_not_reflex(std::uint32_t corner) {
+  reflex_count_ -= is_reflex_[corner] ? 1 : 0;
+  is_reflex_[corner] = 0;
+  if (2 * reflex_count_ < reflex_.size()) {
+    std::erase_if(reflex_, [&](const ReflexCorner& p) { return !is_reflex_[p.corner]; });
+  }
 }
 
 }  // namespace rectilin

@@ -8,9 +8,9 @@
 
 namespace rectilin {
 
-/// Walks over the lines of a text and the words of a line. Lines end with LF, CRLF or CR; a word ends
-/// at a blank or at '#', which hides the rest of its line (but not in "1.#IND"). A UTF-8 byte order mark is skipped. Refers
-/// to the text and the name without copying them.
+/// Walks over the lines of a text and the words of a line. Lines end with LF, CRLF or CR; a word
+/// ends at a blank or at '#', which hides the rest of its line (but not in "1.#IND"). A UTF-8 byte
+/// order mark is skipped. Refers to the text and the name without copying them.
 class LineReader {
  public:
   enum class Continuation { kNone, kBackslash };
@@ -25,9 +25,8 @@ class LineReader {
   /// continues it) words come from the line below.
   std::string_view word();
 
-  /// The next word as a number. "nan", "inf", "1.#IND" and the like are numbers, and so is what only
-  /// overflows a double.
-  /// `what` completes the error "expected ..., found ...".
+  /// The next word as a number. "nan", "inf", "1.#IND" and the like are numbers, and so is what
+  /// only overflows a double. `what` completes the error "expected ..., found ...".
   double number(std::string_view what);
   std::int64_t integer(std::string_view what);
 

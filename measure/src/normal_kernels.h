@@ -15,35 +15,39 @@ inline constexpr std::size_t kFan = 8;
 /// Vectors of a leaf. Smaller leaves mean fewer vectors summed one by one, but more nodes.
 inline constexpr std::size_t kLeaf = 8;
 
-/// Doubles of a family of kFan siblings: x, y, z of their sums V, and |V| times the sine of their caps' radii
-/// (infinite if a cap reaches a right angle).
+/// Doubles of a family of kFan siblings: x, y, z of their sums V, kFan each, then |V| sin(radius of
+/// the cap), which is infinite if a cap reaches a right angle. Missing siblings have V = 0 and
+/// radius -1: they never open.
 inline constexpr std::size_t kFamily = 4 * kFan;
+
+/// Doubles of a leaf: x, y, z of its vectors, kLeaf each. Missing vectors are zero.
 inline constexpr std::size_t kLeafSpan = 3 * kLeaf;
 
-inline constexpr int kMaxLevels = 12;
+inline constexpr int kMaxLevels = 12;  // enough for 2^36 vectors
 
-/// Level 0 has the families of leaves; the highest level has one family.
+/// Node j of family f on level l is the parent of family 8 f + j on level l - 1, or of leaf 8 f + j
+/// if l = 0. The highest level is a single family.
 struct NormalNodes {
-  const double* leaves;
-  const double* levels[kMaxLevels];
-  int depth;
+  const double* leaves = nullptr;
+  const double* levels[kMaxLevels] = {};
+  int depth = 0;  ///< number of levels
 };
 
-/// One direction's query.
 struct NormalQuery {
   Slope<double> slope;
-  double reach;       ///< |u| / scale: a cap of radius r meets the circle if |s| <= |V| sin(r) reach
-  double resolution;  ///< squared sine of the smallest radius that is opened
+  double reach;  ///< |u| / |scale|: the circle meets a cap of radius r if |s| <= |V| sin(r) reach
+  double resolution;  ///< squared sine of the radius up to which a node is not opened
 };
 
-/// Adds to sums[0] (values) or sums[0..2] (cuts) what FlatKernel's kNegative... see flat_kernels.h.
+/// Adds the sums over the nodes of one query: of min(s, 0) to sums[0], or of V where s < 0 to
+/// sums[0..2].
 using NormalKernel = void (*)(const NormalNodes& nodes, const NormalQuery& query, TwoSum* sums);
 
 struct NormalKernels {
   NormalKernel values, cuts;
-  /// The square of the largest sine of an angle between v and any of `count` leaves' vectors; infinite if
-  /// one of the angles is not acute.
-  double (*cap)(const double* leaves, std::size_t count, const double* v);
+  /// Squared sine of the largest angle between the unit vector `axis` and the vectors of `count`
+  /// leaves; infinite if an angle is not acute, or a vector too short to tell.
+  double (*cap)(const double* leaves, std::size_t count, const double* axis);
 };
 
 const NormalKernels& normal_kernels();

@@ -1,8 +1,11 @@
 // The vector loops of the normal tree, compiled once for each instruction set.
+// foreach_target.h includes this file again for every instruction set and has to come first.
+// clang-format off
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "normal_tree_kernels.cpp"
-#include "hwy/foreach_target.h"  // must come before highway.h
+#include "hwy/foreach_target.h"
 #include "hwy/highway.h"
+// clang-format on
 
 #include <algorithm>
 #include <bit>
@@ -19,32 +22,50 @@ namespace {
 using D = hn::CappedTag<double, kFan>;
 using D32 = hn::CappedTag<std::uint32_t, kFan>;
 
-// Nodes that are opened together. A whole level is listed before the next one is visited, so the processor
-// works on many nodes at once and never waits for a branch; a depth-first walk would wait at each node.
-constexpr std::size_t kList = 1024;
+// Nodes that are opened together. A whole level is listed before the next one is visited, so the
+// processor works on many nodes at once and never waits for a branch; a depth-first walk would wait
+// at each node.
+constexpr std::size_t kList = 256;
 
-// Nodes ahead of the current one whose memory is requested.
-#ifndef AHEAD
-#define AHEAD 8
-#endif
-constexpr std::size_t kAhead = AHEAD;
+// Nodes ahead of the current one whose memory is requested: on large trees most visits miss the
+// caches.
+constexpr std::size_t kAhead = 16;
+
+template <class V>
+HWY_INLINE V squared_length(V x, V y, V z) {
+  return hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
+}
 
 HWY_INLINE void prefetch(const double* data, std::size_t size) {
   for (std::size_t i = 0; i < size; i += 8) hwy::Prefetch(data + i);
 }
 
-/// Appends first + j for every set bit j of `bits`; returns how many. Writes up to kFan entries.
-HWY_INLINE std::size_t append(std::uint32_t* list, std::uint32_t first, unsigned bits) {
-  const D32 d;
-  std::size_t size = 0;
-  for (std::size_t lane = 0; lane < kFan; lane += hn::Lanes(d)) {
-    const auto part = static_cast<std::uint8_t>((bits >> lane) & ((1u << hn::Lanes(d)) - 1));
-    const auto ids = hn::Iota(d, first + static_cast<std::uint32_t>(lane));
-    hn::StoreU(hn::CompressBits(ids, &part), d, list + size);
-    size += static_cast<std::size_t>(std::popcount(part));
+/// Lists of nodes. The lane numbers are kept in memory: Highway's Iota writes them there one by one
+/// at each call, and reading them back at once would stall.
+class NodeList {
+ public:
+  HWY_INLINE explicit NodeList(std::uint32_t* nodes) : nodes_(nodes) {
+    for (std::uint32_t lane = 0; lane < kFan; ++lane) lanes_[lane] = lane;
   }
-  return size;
-}
+
+  /// Appends first + j for every set bit j of `bits`. Writes up to kFan entries past the end.
+  HWY_INLINE void append(std::uint32_t first, unsigned bits) {
+    const D32 d;
+    for (std::size_t lane = 0; lane < kFan; lane += hn::Lanes(d)) {
+      const auto part = static_cast<std::uint8_t>((bits >> lane) & ((1u << hn::Lanes(d)) - 1));
+      const auto ids = hn::Add(hn::Set(d, first), hn::Load(d, lanes_ + lane));
+      hn::StoreU(hn::CompressBits(ids, &part), d, nodes_ + size_);
+      size_ += static_cast<std::size_t>(std::popcount(part));
+    }
+  }
+
+  std::size_t size() const { return size_; }
+
+ private:
+  std::uint32_t* nodes_;
+  std::size_t size_ = 0;
+  HWY_ALIGN std::uint32_t lanes_[kFan];
+};
 
 template <class Sum, bool kCutOff>
 class Walk {
@@ -80,7 +101,7 @@ class Walk {
     const auto a = hn::Set(d, query_.slope.a), b = hn::Set(d, query_.slope.b);
     const auto reach = hn::Set(d, query_.reach), resolution = hn::Set(d, query_.resolution);
     Sum sum = sum_;
-    std::size_t found = 0;
+    NodeList found(children);
     for (std::size_t i = begin; i < end; ++i) {
       prefetch(nodes + families[std::min(i + kAhead, size - 1)] * kFamily, kFamily);
       const double* family = nodes + families[i] * kFamily;
@@ -93,18 +114,18 @@ class Walk {
         const auto s = hn::MulAdd(a, x, hn::MulAdd(b, y, z));
         auto meets = hn::Le(hn::Abs(s), hn::Mul(radius, reach));
         if (kCutOff) {
-          const auto squared = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
-          meets = hn::And(meets, hn::Gt(hn::Mul(radius, radius), hn::Mul(squared, resolution)));
+          const auto least = hn::Mul(squared_length(x, y, z), resolution);
+          meets = hn::And(meets, hn::Gt(hn::Mul(radius, radius), least));
         }
         sum.add(x, y, z, hn::IfThenZeroElse(meets, s));
         std::uint8_t byte[8] = {};
         hn::StoreMaskBits(d, meets, byte);
         bits |= static_cast<unsigned>(byte[0]) << lane;
       }
-      found += append(children + found, families[i] * static_cast<std::uint32_t>(kFan), bits);
+      found.append(families[i] * static_cast<std::uint32_t>(kFan), bits);
     }
     sum_ = sum;
-    return found;
+    return found.size();
   }
 
   HWY_INLINE void add_leaves(const std::uint32_t* leaves, std::size_t size) {
@@ -146,26 +167,27 @@ void kernel(const NormalNodes& nodes, const NormalQuery& query, TwoSum* sums) {
   }
 }
 
-double cap(const double* leaves, std::size_t count, const double* v) {
+double cap(const double* leaves, std::size_t count, const double* axis) {
   const D d;
-  const auto cx = hn::Set(d, v[0]), cy = hn::Set(d, v[1]), cz = hn::Set(d, v[2]);
+  const auto ax = hn::Set(d, axis[0]), ay = hn::Set(d, axis[1]), az = hn::Set(d, axis[2]);
   const auto zero = hn::Zero(d), infinity = hn::Set(d, std::numeric_limits<double>::infinity());
-  const auto squared = hn::MulAdd(cx, cx, hn::MulAdd(cy, cy, hn::Mul(cz, cz)));
+  const auto shortest =
+      hn::Set(d, 1e-280);  // of squared lengths that have not lost digits to underflow
   auto largest = zero;
   for (const double* leaf = leaves; leaf < leaves + count * kLeafSpan; leaf += kLeafSpan) {
     for (std::size_t lane = 0; lane < kLeaf; lane += hn::Lanes(d)) {
       const auto x = hn::Load(d, leaf + lane);
       const auto y = hn::Load(d, leaf + kLeaf + lane);
       const auto z = hn::Load(d, leaf + 2 * kLeaf + lane);
-      const auto kx = hn::MulSub(y, cz, hn::Mul(z, cy));
-      const auto ky = hn::MulSub(z, cx, hn::Mul(x, cz));
-      const auto kz = hn::MulSub(x, cy, hn::Mul(y, cx));
-      const auto cross = hn::MulAdd(kx, kx, hn::MulAdd(ky, ky, hn::Mul(kz, kz)));
-      const auto length = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
-      const auto dot = hn::MulAdd(x, cx, hn::MulAdd(y, cy, hn::Mul(z, cz)));
-      const auto sine = hn::Div(cross, hn::Mul(length, squared));
-      const auto angle = hn::IfThenElse(hn::Gt(dot, zero), sine, infinity);
-      largest = hn::Max(largest, hn::IfThenZeroElse(hn::Eq(length, zero), angle));
+      const auto cx = hn::MulSub(y, az, hn::Mul(z, ay));
+      const auto cy = hn::MulSub(z, ax, hn::Mul(x, az));
+      const auto cz = hn::MulSub(x, ay, hn::Mul(y, ax));
+      const auto squared_sine = hn::Div(squared_length(cx, cy, cz), squared_length(x, y, z));
+      const auto dot = hn::MulAdd(x, ax, hn::MulAdd(y, ay, hn::Mul(z, az)));
+      const auto clear = hn::And(hn::Gt(dot, zero), hn::Gt(squared_length(x, y, z), shortest));
+      const auto absent = hn::Eq(hn::Max(hn::Abs(x), hn::Max(hn::Abs(y), hn::Abs(z))), zero);
+      const auto angle = hn::IfThenElse(clear, squared_sine, infinity);
+      largest = hn::Max(largest, hn::IfThenZeroElse(absent, angle));
     }
   }
   return hn::GetLane(hn::MaxOfLanes(d, largest));

@@ -1,40 +1,53 @@
 #include "rectilin/measure/projected_area.h"
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 
 namespace rectilin {
 namespace {
-double h_of(const AreaVectors& v, const Vector3& u, Vector3* g) {
-  Vector3 sum = Vector3::Zero();
-  double h = 0;
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    const double d = u.dot(v[i]);
-    h += std::abs(d);
-    if (g) sum += d < 0 ? Vector3(-v[i]) : v[i];
-  }
-  if (g) *g = sum;
-  return h;
-}
+
+/// Rotations of one pass: enough to fill every thread, few enough to stay on the stack and in cache.
+constexpr std::size_t kPass = 256;
+
 }  // namespace
 
 ProjectedArea::ProjectedArea(AreaVectors vectors, std::string name)
-    : vectors_(std::move(vectors)), name_(std::move(name)) {}
+    : vectors_(std::move(vectors)), flat_(vectors_), name_(std::move(name)) {}
 
 void ProjectedArea::values(std::span<const Rotation> rotations, std::span<double> values) const {
-  for (std::size_t i = 0; i < rotations.size(); ++i) {
-    double p = 0;
-    for (int k = 0; k < 3; ++k) p += h_of(vectors_, rotations[i].axis(k), nullptr);
-    values[i] = p / vectors_.total;
+  std::array<Vector3, 3 * kPass> directions;
+  std::array<double, 3 * kPass> h;
+  std::array<std::array<std::size_t, 3>, kPass> axes;  // where each rotation's axes are among the directions
+  for (std::size_t begin = 0; begin < rotations.size(); begin += kPass) {
+    const std::size_t count = std::min(kPass, rotations.size() - begin);
+    std::size_t used = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      for (int k = 0; k < 3; ++k) {
+        const Vector3 axis = rotations[begin + i].axis(k);
+        // A grid's neighbours along gamma share their third axis: h(r3) is summed once for the line.
+        if (i > 0 && directions[axes[i - 1][k]] == axis) {
+          axes[i][k] = axes[i - 1][k];
+        } else {
+          directions[used] = axis;
+          axes[i][k] = used++;
+        }
+      }
+    flat_.values({directions.data(), used}, {h.data(), used});
+    for (std::size_t i = 0; i < count; ++i)
+      values[begin + i] = (h[axes[i][0]] + h[axes[i][1]] + h[axes[i][2]]) / vectors_.total;
   }
 }
 
 void ProjectedArea::cuts(std::span<const Rotation> rotations, std::span<Cut> cuts) const {
-  for (std::size_t i = 0; i < rotations.size(); ++i) {
-    cuts[i].value = 0;
-    for (int k = 0; k < 3; ++k) {
-      Vector3 g;
-      cuts[i].value += h_of(vectors_, rotations[i].axis(k), &g) / vectors_.total;
-      cuts[i].gradient.row(k) = g.transpose() / vectors_.total;
+  std::array<Vector3, 3 * kPass> directions, subgradients;
+  for (std::size_t begin = 0; begin < rotations.size(); begin += kPass) {
+    const std::size_t count = std::min(kPass, rotations.size() - begin);
+    for (std::size_t i = 0; i < 3 * count; ++i) directions[i] = rotations[begin + i / 3].axis(static_cast<int>(i % 3));
+    flat_.cuts({directions.data(), 3 * count}, {subgradients.data(), 3 * count});
+    for (std::size_t i = 0; i < count; ++i) {
+      Cut& cut = cuts[begin + i];
+      for (int k = 0; k < 3; ++k) cut.gradient.row(k) = subgradients[3 * i + k].transpose() / vectors_.total;
+      cut.value = cut.gradient.cwiseProduct(rotations[begin + i].matrix()).sum();
     }
   }
 }

@@ -122,9 +122,9 @@ void GeneticOptions::bind(Parameters& table) {
       .real("crossover", crossover, 0, 1, "probability that a pair is crossed, p_c")
       .real("mutation", mutation, 0, 1, "probability that a bit is flipped, p_m")
       .choice("selection", selection,
-              {{"tournament", Selection::kTournament}, {"roulette", Selection::kRoulette}, {"rank", Selection::kRank}},
+              {{"roulette", Selection::kRoulette}, {"tournament", Selection::kTournament}, {"rank", Selection::kRank}},
               "how parents are chosen")
-      .integer("tournament", tournament, 1, 1000, "contestants a tournament")
+      .integer("tournament", tournament, 1, 1000, "contestants a tournament, if that is the selection")
       .integer("points", points, 1, 31, "crossover points in each chromosome")
       .choice("encoding", encoding, {{"binary", Encoding::kBinary}, {"gray", Encoding::kGray}},
               "code of the chromosomes")

@@ -46,6 +46,7 @@ RunRecord run_optimizer(const Optimizer& optimizer, const Objective& objective, 
   record.cpu_seconds = static_cast<double>(std::clock() - cpu_before) / CLOCKS_PER_SEC;
 
   record.incumbent = evaluator.incumbent();
+  record.incumbent.rotation = reduce_to_zone(record.incumbent.rotation);
   record.lower = evaluator.lower_bound();
   record.merit = evaluator.has_incumbent() ? objective.merit(record.incumbent.value)
                                            : std::numeric_limits<double>::quiet_NaN();

@@ -1,5 +1,5 @@
-// Fuzzes the mesh readers (libFuzzer). The first byte picks the format, the rest is the file. A reader
-// either throws MeshError with one line, or keeps the promises of Mesh and MeshReport.
+// Fuzzes the mesh readers (libFuzzer). The first byte picks the format, the rest is the file. A
+// reader either throws MeshError with one line, or keeps the promises of Mesh and MeshReport.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

@@ -22,30 +22,33 @@ enum class Precision { kSingle, kDouble };
 /// Sums over all area vectors, many directions per pass, on the widest vector instructions present.
 ///
 /// h is even, convex and positively homogeneous: the support function of the mesh's projection body
-/// (Schneider, Convex Bodies: The Brunn-Minkowski Theory, section 10.9). For a rotation with rows r1, r2,
-/// r3 the objective is P = h(r1) + h(r2) + h(r3).
+/// (Schneider, Convex Bodies: The Brunn-Minkowski Theory, section 10.9). For a rotation with rows
+/// r1, r2, r3 the objective is P = h(r1) + h(r2) + h(r3).
 ///
 /// A result depends on its direction, the area vectors and the instruction set alone: not on the
 /// number of threads, nor on which other directions are in the call, bit for bit. Directions
 /// need not have unit length; lengths in [2^-600, 2^600] are fine, and the zero vector gives zero.
 ///
-/// Const and thread safe. Small calls neither allocate nor start tasks; large ones use TBB's current arena.
+/// Const and thread safe. Small calls neither allocate nor start tasks; large ones use TBB's
+/// current arena.
 class FlatSum {
  public:
-  /// Double precision reads `vectors` in place: they must outlive this object, unchanged. Single precision
-  /// keeps its own copy, half the size. Uses the instruction set chosen at this moment.
+  /// Double precision reads `vectors` in place: they must outlive this object, unchanged. Single
+  /// precision keeps its own copy, half the size. Uses the instruction set chosen at this moment.
   explicit FlatSum(const AreaVectors& vectors, Precision precision = Precision::kDouble);
 
   /// h[k] = h(u[k]); both spans have the same size. The error is at most
   /// relative_error_bound() |u| S, where S = sum |v_i|.
   void values(std::span<const Vector3> u, std::span<double> h) const;
 
-  /// g[k] = sum_i sign(u[k] . v_i) v_i, a subgradient of h at u[k]: h(w) >= g . w for every w, with equality
-  /// at w = u[k], both up to relative_error_bound() |w| S. Where u . v_i is zero either sign is taken.
+  /// g[k] = sum_i sign(u[k] . v_i) v_i, a subgradient of h at u[k]: h(w) >= g . w for every w, with
+  /// equality at w = u[k], both up to relative_error_bound() |w| S. Where u . v_i is zero either
+  /// sign is taken.
   void cuts(std::span<const Vector3> u, std::span<Vector3> g) const;
 
-  /// Worst-case rounding error of values() relative to |u| S, for any instruction set. It does not grow with
-  /// the number of faces: faces are summed in blocks, and sums of blocks are combined with compensation.
+  /// Worst-case rounding error of values() relative to |u| S, for any instruction set. It does not
+  /// grow with the number of faces: faces are summed in blocks, and sums of blocks are combined
+  /// with compensation.
   static double relative_error_bound(Precision precision);
 
   std::size_t size() const { return vectors_->size(); }
@@ -62,17 +65,20 @@ class FlatSum {
   const AreaVectors* vectors_;
   Precision precision_;
   const FlatKernels* kernels_;
-  std::vector<float, tbb::cache_aligned_allocator<float>> single_;  // x, y, z, each padded with zeros
-  std::array<double, 24> tail_ = {};  // the last vectors, padded with zeros: no lane reads past the end
-  Vector3 total_ = Vector3::Zero();   // sum of the v_i, signed as they come
+  std::vector<float, tbb::cache_aligned_allocator<float>>
+      single_;  // x, y, z, each padded with zeros
+  std::array<double, 24> tail_ =
+      {};  // the last vectors, padded with zeros: no lane reads past the end
+  Vector3 total_ = Vector3::Zero();  // sum of the v_i, signed as they come
 };
 
-/// Instruction sets that this machine has and the library was built for, best first, e.g. {"AVX3", "AVX2"}.
+/// Instruction sets that this machine has and the library was built for, best first, e.g. {"AVX3",
+/// "AVX2"}.
 std::vector<std::string> flat_sum_targets();
 
 /// Restricts FlatSum and NormalTree objects made during its lifetime to one of flat_sum_targets().
-/// For tests and benchmarks: no other thread may make such objects meanwhile. Throws std::invalid_argument
-/// for a name not in the list.
+/// For tests and benchmarks: no other thread may make such objects meanwhile. Throws
+/// std::invalid_argument for a name not in the list.
 class ScopedFlatSumTarget {
  public:
   explicit ScopedFlatSumTarget(std::string_view name);

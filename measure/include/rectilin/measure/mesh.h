@@ -17,8 +17,9 @@ using Vector3 = Eigen::Vector3d;
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Triangles over shared vertices. Open, non-manifold, inconsistently oriented and degenerate
-/// meshes are all legal (paper, section 1, advantage 3). Invariants kept by whoever makes one: every
-/// index is below vertices.size(); every coordinate is finite. Coordinates may be of any scale.
+/// meshes are all legal (paper, section 1, advantage 3). Invariants kept by whoever makes one:
+/// every index is below vertices.size(); every coordinate is finite. Coordinates may be of any
+/// scale.
 struct Mesh {
   std::vector<Vector3> vertices;
   std::vector<Triangle> triangles;
@@ -34,8 +35,8 @@ struct MeshReport {
   std::size_t dropped_short = 0;       ///< face records of fewer than three corners, dropped
   std::size_t degenerate = 0;  ///< triangles of zero area, kept (they weigh nothing): a repeated
                                ///< index, or a cross product that vanishes at the mesh's scale
-  std::size_t duplicate_vertices = 0;  ///< vertices at a position that an earlier one has, kept;
-                                       ///< none in STL, whose repeated corners are welded
+  std::size_t duplicate_vertices = 0;     ///< vertices at a position that an earlier one has, kept;
+                                          ///< none in STL, whose repeated corners are welded
   std::size_t unreferenced_vertices = 0;  ///< vertices that no triangle uses, kept
 };
 

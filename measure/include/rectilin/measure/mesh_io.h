@@ -17,20 +17,22 @@ struct LoadedMesh {
 enum class MeshFormat { kOff, kObj, kPly, kStl };
 
 /// Reads a mesh file; the format is taken from the content where that decides it, else from the
-/// extension. Throws MeshError for anything malformed: a bad index, a truncated file, counts the file
-/// cannot hold, no triangle, zero total area. Thread safe.
+/// extension. Throws MeshError for anything malformed: a bad index, a truncated file, counts the
+/// file cannot hold, no triangle, zero total area. Thread safe.
 ///
 /// What is read: OFF text with any of the prefixes ST, C, N, 4 and n, one vertex or face to a line;
-/// OBJ `v` and `f` (other statements are ignored); PLY text and binary of both byte orders, faces and
-/// triangle strips; STL text and binary. Text may have any line ending and a UTF-8 byte order mark.
+/// OBJ `v` and `f` (other statements are ignored); PLY text and binary of both byte orders, faces
+/// and triangle strips; STL text and binary. Text may have any line ending and a UTF-8 byte order
+/// mark.
 ///
-/// A polygon becomes a fan if the fan does not fold over itself, else its ears are clipped, so that a
-/// planar concave polygon keeps its area. Both look at the polygon along the coordinate axis nearest
-/// to its normal. Beyond some thousand concave corners ear clipping may run out of its budget, which
-/// grows with the corners; what is left of the polygon then becomes a fan after all.
+/// A polygon becomes a fan if the fan does not fold over itself, else its ears are clipped, so that
+/// a planar concave polygon keeps its area. Both look at the polygon along the coordinate axis
+/// nearest to its normal. Only a polygon of thousands of concave corners can exhaust the work
+/// allowed for ears (in proportion to its corners); what is left of it then becomes a fan after
+/// all.
 ///
-/// Time is within a log factor of the file's size, and memory within a small multiple of it, whatever
-/// a header claims.
+/// Time is within a log factor of the file's size, and memory within a small multiple of it,
+/// whatever a header claims.
 LoadedMesh read_mesh(const std::filesystem::path& file);
 
 /// The same from bytes in memory; `name` stands for the file in errors.
@@ -40,10 +42,10 @@ struct WriteOptions {
   bool binary = true;  ///< PLY and STL only; OFF and OBJ are text
 };
 
-/// Writes a mesh in the format of the file's extension (.off, .obj, .ply, .stl). Text and binary PLY
-/// carry doubles that read back bit for bit; binary STL holds single precision, as the format demands.
-/// Throws MeshError when the file cannot be written, the extension is unknown, or a coordinate or
-/// count is beyond what the format holds. Thread safe.
+/// Writes a mesh in the format of the file's extension (.off, .obj, .ply, .stl). Text and binary
+/// PLY carry doubles that read back bit for bit; binary STL holds single precision, as the format
+/// demands. Throws MeshError when the file cannot be written, the extension is unknown, or a
+/// coordinate or count is beyond what the format holds. Thread safe.
 void write_mesh(const std::filesystem::path& file, const Mesh& mesh,
                 const WriteOptions& options = {});
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
-#include <vector>
 
 #include "rectilin/measure/area_vectors.h"
 
@@ -12,43 +12,57 @@ namespace rectilin {
 struct NormalKernels;
 struct NormalNodes;
 
-/// A tree over the area vectors in their stored order, which is that of a space-filling curve of directions.
+/// A tree over the area vectors in their stored order, which is that of a space-filling curve of
+/// directions.
 ///
-/// A node stands for a run of consecutive vectors: their sum V and a cap around it that holds all their
-/// directions. Where the great circle u . v = 0 misses the cap, all u . v_i have one sign and the
-/// node contributes exactly |u . V| = sum |u . v_i|; only nodes that the circle meets are opened. On
-/// a smooth mesh those are about sqrt(N) of N. (The idea is that of a bounding volume hierarchy, with the
-/// great circle in the place of a ray.) Any order of vectors gives right sums; a bad one gives a slow tree.
+/// A node stands for a run of consecutive vectors: their sum V and a cap around it that holds all
+/// their directions. Where the great circle u . v = 0 misses the cap, all u . v_i have one sign and
+/// the node contributes exactly |u . V| = sum |u . v_i|; only nodes that the circle meets are
+/// opened. On a smooth mesh those are about sqrt(N) of N. (The idea is that of a bounding volume
+/// hierarchy, with the great circle in the place of a ray.) Any order of vectors gives right sums;
+/// a bad one gives a slow tree.
 ///
-/// A result depends on its direction, the area vectors and the instruction set alone, bit for bit. The
-/// requirements on directions are FlatSum's. Const and thread safe; large calls use TBB's current arena.
+/// A result depends on its direction, the area vectors and the instruction set alone, bit for bit.
+/// The requirements on directions are FlatSum's. Const and thread safe; large calls use TBB's
+/// current arena.
 class NormalTree {
  public:
-  /// Copies the vectors (interleaved, for locality): `vectors` need not outlive this object. O(N log N), in
-  /// parallel. Uses the instruction set chosen at this moment (see ScopedFlatSumTarget).
+  /// Copies the vectors (interleaved, for locality): `vectors` need not outlive this object. O(N
+  /// log N), in parallel. Uses the instruction set chosen at this moment (see ScopedFlatSumTarget).
   explicit NormalTree(const AreaVectors& vectors);
 
   /// h[k] = sum_i |u[k] . v_i|, with an error of at most kErrorBound |u| S.
   ///
-  /// With a positive `resolution` (radians) a node whose cap's radius is below it is never opened, and
-  /// h[k] is a lower bound of the sum: |u . V| <= sum |u . v_i| always holds.
+  /// With a positive `resolution` (radians) a node whose cap's radius is below it is never opened,
+  /// and h[k] is a lower bound of the sum: |u . V| <= sum |u . v_i| always holds.
   void values(std::span<const Vector3> u, std::span<double> h, double resolution = 0) const;
 
-  /// g[k] = sum of sign(u[k] . V) V over the nodes at which values() stops. h(w) >= g . w for every w; at
-  /// w = u[k], g . w equals the value that values() gives with the same resolution. Both up to kErrorBound |w| S.
+  /// g[k] = sum of sign(u[k] . V) V over the nodes at which values() stops. h(w) >= g . w for every
+  /// w; at w = u[k], g . w equals the value that values() gives with the same resolution. Both up
+  /// to kErrorBound |w| S.
   void cuts(std::span<const Vector3> u, std::span<Vector3> g, double resolution = 0) const;
 
-  static constexpr double kErrorBound = 0;
+  /// Rounding error of values() relative to |u| S, at worst, for any instruction set and any number
+  /// of vectors.
+  static constexpr double kErrorBound = 1e-12;
+
+  /// Whether, on a typical mesh, this tree is faster than FlatSum for calls of so many directions.
+  static bool worthwhile(std::size_t vectors, std::size_t directions);
 
   std::size_t size() const { return size_; }
-  std::size_t bytes() const;
+  std::size_t bytes() const;  ///< about 29 bytes a vector, the copies of the vectors included
 
  private:
+  template <class Result, class Finish>
+  void evaluate(std::span<const Vector3> u, std::span<Result> results, double resolution,
+                const Finish& finish) const;
+
   std::size_t size_;
+  std::size_t doubles_ = 0;            // size of storage_
+  std::shared_ptr<double[]> storage_;  // never written after construction, hence shared by copies
+  std::shared_ptr<const NormalNodes> nodes_;
   const NormalKernels* kernels_;
-  AlignedDoubles leaves_;               // per leaf kLeaf x, then kLeaf y, then kLeaf z
-  std::vector<AlignedDoubles> levels_;  // per family of siblings kFan x, y, z of V, then kFan radii
-  Vector3 total_ = Vector3::Zero();
+  Vector3 total_ = Vector3::Zero();  // sum of the v_i, signed as they come
 };
 
 }  // namespace rectilin

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rectilin/measure/area_vectors.h"
+#include "rectilin/measure/flat_sum.h"
 #include "rectilin/optim/objective.h"
 
 namespace rectilin {
@@ -15,6 +16,8 @@ inline double rectilinearity(double ratio) { return 3 / ratio - 2; }
 class ProjectedArea final : public Objective {
  public:
   explicit ProjectedArea(AreaVectors vectors, std::string name = "mesh");
+  ProjectedArea(const ProjectedArea&) = delete;  // the kernel refers to the vectors in place
+  ProjectedArea& operator=(const ProjectedArea&) = delete;
 
   std::string name() const override { return name_; }
   void values(std::span<const Rotation> rotations, std::span<double> values) const override;
@@ -30,6 +33,7 @@ class ProjectedArea final : public Objective {
 
  private:
   AreaVectors vectors_;
+  FlatSum flat_;
   std::string name_;
 };
 

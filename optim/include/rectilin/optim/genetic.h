@@ -6,11 +6,12 @@
 namespace rectilin {
 
 /// Each individual is three chromosomes, binary codes of the coordinates in the chart's box; its fitness
-/// is 1/value, the paper's S/P. The paper gives five numbers (the first five options); the rest it leaves
-/// open, and the defaults are those of the textbook's simple genetic algorithm (Goldberg 1989, ch. 3) with
-/// elitism, but for selection: S/P varies too little over a population for a roulette wheel to select by.
+/// is 1/value, the paper's S/P. The paper gives five numbers (the first five options) and leaves the rest
+/// open; the defaults for that are the textbook's simple genetic algorithm (Goldberg 1989, ch. 3): a
+/// roulette wheel, one crossover point a chromosome, plain binary codes; and the best individual survives.
+/// papers/genetic.md compares them with the alternatives.
 struct GeneticOptions {
-  enum class Selection { kTournament, kRoulette, kRank };
+  enum class Selection { kRoulette, kTournament, kRank };
   enum class Encoding { kBinary, kGray };
 
   int population = 50;      ///< N_g
@@ -18,8 +19,8 @@ struct GeneticOptions {
   int bits = 20;            ///< L_c, per chromosome
   double crossover = 0.8;   ///< p_c, per pair of parents
   double mutation = 0.005;  ///< p_m, per bit
-  Selection selection = Selection::kTournament;
-  int tournament = 2;       ///< contestants per tournament
+  Selection selection = Selection::kRoulette;
+  int tournament = 2;       ///< contestants per tournament, if that is the selection
   int points = 1;           ///< crossover points in each chromosome
   Encoding encoding = Encoding::kBinary;
   int elitism = 1;          ///< best individuals that go on unchanged

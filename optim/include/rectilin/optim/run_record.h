@@ -22,7 +22,7 @@ struct RunRecord {
   std::uint64_t seed = 0;
   Outcome outcome = Outcome::kFinished;
   std::string error;               ///< what a failed run said; its incumbent still stands
-  Incumbent incumbent;             ///< value is infinite if nothing was evaluated
+  Incumbent incumbent;             ///< as reduce_to_zone() turns it; value is infinite if nothing was evaluated
   std::optional<double> lower;     ///< certified: no rotation has a smaller value
   double merit = 0;                ///< of the incumbent; NaN if there is none
   Costs costs;
