@@ -15,6 +15,13 @@ class CubeInPose final : public Objective {
     for (std::size_t i = 0; i < rotations.size(); ++i)
       values[i] = (rotations[i].matrix() * pose_.matrix().transpose()).cwiseAbs().sum() / 3;
   }
+  bool has_cuts() const override { return true; }
+  void cuts(std::span<const Rotation> rotations, std::span<Cut> cuts) const override {
+    for (std::size_t i = 0; i < rotations.size(); ++i) {
+      const Eigen::Matrix3d products = rotations[i].matrix() * pose_.matrix().transpose();
+      cuts[i] = {products.cwiseAbs().sum() / 3, products.cwiseSign() * pose_.matrix() / 3};
+    }
+  }
 
   double merit(double value) const override { return 3 / value - 2; }
 

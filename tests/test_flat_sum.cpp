@@ -22,7 +22,7 @@ AreaVectors make_vectors(const Directions& vectors) {
     result.x.push_back(v.x());
     result.y.push_back(v.y());
     result.z.push_back(v.z());
-    result.total += v.norm();
+    result.total += v.stableNorm();
   }
   result.faces = vectors.size();
   return result;

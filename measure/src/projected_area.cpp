@@ -39,11 +39,16 @@ void ProjectedArea::values(std::span<const Rotation> rotations, std::span<double
 }
 
 void ProjectedArea::cuts(std::span<const Rotation> rotations, std::span<Cut> cuts) const {
+  // Who asks for cuts asks for thousands. The choice must not depend on this call's size: the two sums
+  // differ in the last bits.
+  const bool use_tree = NormalTree::worthwhile(vectors_.size(), kPass);
+  if (use_tree) std::call_once(tree_once_, [this] { tree_.emplace(vectors_); });
   std::array<Vector3, 3 * kPass> directions, subgradients;
   for (std::size_t begin = 0; begin < rotations.size(); begin += kPass) {
     const std::size_t count = std::min(kPass, rotations.size() - begin);
     for (std::size_t i = 0; i < 3 * count; ++i) directions[i] = rotations[begin + i / 3].axis(static_cast<int>(i % 3));
-    flat_.cuts({directions.data(), 3 * count}, {subgradients.data(), 3 * count});
+    if (use_tree) tree_->cuts({directions.data(), 3 * count}, {subgradients.data(), 3 * count});
+    else flat_.cuts({directions.data(), 3 * count}, {subgradients.data(), 3 * count});
     for (std::size_t i = 0; i < count; ++i) {
       Cut& cut = cuts[begin + i];
       for (int k = 0; k < 3; ++k) cut.gradient.row(k) = subgradients[3 * i + k].transpose() / vectors_.total;
@@ -51,5 +56,13 @@ void ProjectedArea::cuts(std::span<const Rotation> rotations, std::span<Cut> cut
     }
   }
 }
+
+CutBounds ProjectedArea::cut_bounds() const {
+  // Two directions merged as parallel may be kParallel apart; dividing by S takes a few roundoffs.
+  const double sums = std::max(FlatSum::relative_error_bound(Precision::kDouble), NormalTree::kErrorBound);
+  return {.error = sums + 4 * kParallel, .norm = 1 + 1e-12, .floor = 1 - 0x1p-50};  // floor: eq. (12)
+}
+
+Generators ProjectedArea::generators() const { return {vectors_.x, vectors_.y, vectors_.z, 1 / vectors_.total}; }
 
 }  // namespace rectilin

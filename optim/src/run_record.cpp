@@ -1,7 +1,9 @@
 #include "rectilin/optim/run_record.h"
 
 #include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <exception>
@@ -20,6 +22,19 @@ std::string hex(std::uint64_t x) {
   return text.str();
 }
 
+/// Threads that loops begun here can use.
+int usable_threads() {
+  const std::size_t limit = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  return std::min(tbb::this_task_arena::max_concurrency(), static_cast<int>(limit));
+}
+
+/// Processor time so far: this thread's if a run has no other, so that runs beside it are not charged to it.
+double cpu_clock(int threads) {
+  std::timespec time{};
+  clock_gettime(threads == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 }  // namespace
 
 RunRecord run_optimizer(const Optimizer& optimizer, const Objective& objective, const RunSettings& settings) {
@@ -29,9 +44,9 @@ RunRecord run_optimizer(const Optimizer& optimizer, const Objective& objective, 
   record.parameters = optimizer.parameters();
   record.chart = settings.chart->name();
   record.seed = settings.seed;
-  record.threads = static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  record.threads = usable_threads();
 
-  const std::clock_t cpu_before = std::clock();
+  const double cpu_before = cpu_clock(record.threads);
   Evaluator evaluator(objective, settings.budget, settings.stop);
   Random random(settings.seed);
   try {
@@ -43,7 +58,7 @@ RunRecord run_optimizer(const Optimizer& optimizer, const Objective& objective, 
     record.error = e.what();
   }
   record.seconds = evaluator.seconds();
-  record.cpu_seconds = static_cast<double>(std::clock() - cpu_before) / CLOCKS_PER_SEC;
+  record.cpu_seconds = cpu_clock(record.threads) - cpu_before;
 
   record.incumbent = evaluator.incumbent();
   record.incumbent.rotation = reduce_to_zone(record.incumbent.rotation);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rectilin/measure/mesh.h"
+#include "rectilin/optim/rotation.h"
 
 namespace rectilin {
 
@@ -21,7 +22,7 @@ using AlignedDoubles = std::vector<double, tbb::cache_aligned_allocator<double>>
 /// Lengths are relative: they are scaled by a power of two such that the largest coordinate
 /// extent lies in [1/2, 1). Neither R nor any ratio of areas depends on it; `area()` undoes it.
 struct AreaVectors {
-  AlignedDoubles x, y, z;     ///< components, sorted along a space-filling curve of directions
+  AlignedDoubles x, y, z;     ///< components, sorted along a space-filling curve of directions, on one hemisphere
   double total = 0;           ///< S, the sum of all faces' areas, in the scaled unit
   int exponent = 0;           ///< true lengths are scaled lengths times 2^exponent
   std::size_t faces = 0;      ///< triangles of positive area that went in
@@ -39,7 +40,10 @@ struct AreaVectors {
 AreaVectors area_vectors(const Mesh& mesh);
 
 /// The same from vectors given as they are (up to scale), e.g. to test the objective without a mesh.
-AreaVectors area_vectors(const std::vector<Vector3>& vectors);
+AreaVectors area_vectors(std::vector<Vector3> vectors);
+
+/// The area vectors of the mesh turned by `rotation`, each at its old place.
+AreaVectors rotated(const AreaVectors& vectors, const Rotation& rotation);
 
 inline constexpr double kParallel = 1e-14;
 

@@ -33,8 +33,8 @@ class NormalTree {
 
   /// h[k] = sum_i |u[k] . v_i|, with an error of at most kErrorBound |u| S.
   ///
-  /// With a positive `resolution` (radians) a node whose cap's radius is below it is never opened,
-  /// and h[k] is a lower bound of the sum: |u . V| <= sum |u . v_i| always holds.
+  /// With a positive `resolution` (radians, at most pi / 2) a node whose cap's radius is below it
+  /// is never opened, and h[k] is a lower bound of the sum: |u . V| <= sum |u . v_i| always holds.
   void values(std::span<const Vector3> u, std::span<double> h, double resolution = 0) const;
 
   /// g[k] = sum of sign(u[k] . V) V over the nodes at which values() stops. h(w) >= g . w for every
@@ -42,11 +42,12 @@ class NormalTree {
   /// to kErrorBound |w| S.
   void cuts(std::span<const Vector3> u, std::span<Vector3> g, double resolution = 0) const;
 
-  /// Rounding error of values() relative to |u| S, at worst, for any instruction set and any number
-  /// of vectors.
+  /// Rounding error of values() relative to |u| S, at worst, for any instruction set and up to 2^27
+  /// vectors: sums in registers have a bounded number of terms and are combined with compensation.
   static constexpr double kErrorBound = 1e-12;
 
-  /// Whether, on a typical mesh, this tree is faster than FlatSum for calls of so many directions.
+  /// Whether, on a typical mesh, this tree gives values faster than FlatSum in calls of so many
+  /// directions. Its cuts pay from half as many vectors on.
   static bool worthwhile(std::size_t vectors, std::size_t directions);
 
   std::size_t size() const { return size_; }
@@ -62,7 +63,7 @@ class NormalTree {
   std::shared_ptr<double[]> storage_;  // never written after construction, hence shared by copies
   std::shared_ptr<const NormalNodes> nodes_;
   const NormalKernels* kernels_;
-  Vector3 total_ = Vector3::Zero();  // sum of the v_i, signed as they come
+  Vector3 total_ = Vector3::Zero();  // sum of the v_i, signed as in the leaves
 };
 
 }  // namespace rectilin

@@ -1,8 +1,12 @@
 // The objective: the sum of projected areas on the planes of a frame, P(R)/S.
 #pragma once
 
+#include <mutex>
+#include <optional>
+
 #include "rectilin/measure/area_vectors.h"
 #include "rectilin/measure/flat_sum.h"
+#include "rectilin/measure/normal_tree.h"
 #include "rectilin/optim/objective.h"
 
 namespace rectilin {
@@ -23,6 +27,8 @@ class ProjectedArea final : public Objective {
   void values(std::span<const Rotation> rotations, std::span<double> values) const override;
   bool has_cuts() const override { return true; }
   void cuts(std::span<const Rotation> rotations, std::span<Cut> cuts) const override;
+  CutBounds cut_bounds() const override;
+  Generators generators() const override;
   bool has_smooth() const override { return true; }
   SmoothValue smooth(const Rotation& rotation, double width) const override;
   bool has_turns() const override { return true; }
@@ -34,6 +40,8 @@ class ProjectedArea final : public Objective {
  private:
   AreaVectors vectors_;
   FlatSum flat_;
+  mutable std::once_flag tree_once_;
+  mutable std::optional<NormalTree> tree_;  // for cuts, if there are many vectors; made when first asked for
   std::string name_;
 };
 

@@ -11,6 +11,10 @@ namespace rectilin {
 
 /// A linear minorant: value(Q) >= (gradient . Q) for every rotation Q, where (A . Q) is the sum of products
 /// of entries, with equality at the rotation the cut was taken at.
+///
+/// An objective with cuts is a sum over the frame's axes, value(Q) = h(q1) + h(q2) + h(q3) with q_k the rows of Q and
+/// one even, convex function h, positively homogeneous of degree one. Each row of the gradient is a subgradient of h:
+/// h(u) >= row . u for every u. So a row taken for one axis serves the others, too.
 struct Cut {
   double value = 0;          ///< the objective where the cut was taken
   Eigen::Matrix3d gradient;  ///< a subgradient with respect to the entries of the rotation matrix
@@ -23,6 +27,22 @@ inline Eigen::Vector3d turning_gradient(const Eigen::Matrix3d& gradient, const R
   const Eigen::Matrix3d b = at.matrix() * gradient.transpose();
   return {b(1, 2) - b(2, 1), b(2, 0) - b(0, 2), b(0, 1) - b(1, 0)};
 }
+
+/// What else a proof of the objective's minimum rests on.
+struct CutBounds {
+  double error = 1e-12;  ///< h(u) >= row . u - error for every unit u and row of a cut; values err by 3 error at most
+  double norm = 1;       ///< no row is longer
+  double floor = 0;      ///< no value is less, whatever the cuts say
+};
+
+/// Vectors v_i that make up h: h(u) = sum_i |u . v_i|, a zonotope's support function. None if h is not of that kind.
+struct Generators {
+  std::span<const double> x = {}, y = {}, z = {};
+  double scale = 1;  ///< of the components
+
+  std::size_t size() const { return x.size(); }
+  Eigen::Vector3d operator[](std::size_t i) const { return {scale * x[i], scale * y[i], scale * z[i]}; }
+};
 
 /// A smooth function near the objective, at one rotation.
 struct SmoothValue {
@@ -52,6 +72,9 @@ class Objective {
   /// Can it give cuts? If not, cuts() must not be called.
   virtual bool has_cuts() const { return false; }
   virtual void cuts(std::span<const Rotation> rotations, std::span<Cut> cuts) const;
+  virtual CutBounds cut_bounds() const { return {}; }
+  /// As long-lived as the objective. Sharpen proofs where there are any.
+  virtual Generators generators() const { return {}; }
 
   /// Can it give a smooth surrogate? If not, smooth() must not be called.
   virtual bool has_smooth() const { return false; }

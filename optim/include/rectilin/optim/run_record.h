@@ -27,7 +27,7 @@ struct RunRecord {
   double merit = 0;                ///< of the incumbent; NaN if there is none
   Costs costs;
   double seconds = 0;              ///< wall clock
-  double cpu_seconds = 0;          ///< all threads of the process; of use only if no other run goes on beside
+  double cpu_seconds = 0;          ///< of the run's thread if it can use only one, else of the whole process
   int threads = 1;                 ///< most that the run could use
   std::uint64_t digest = 0;        ///< Evaluator::digest()
   std::vector<TracePoint> trace;

@@ -1,0 +1,129 @@
+// rectilin compare: optimizers against each other on meshes, on one budget, and a page that shows it.
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "commands.h"
+#include "rectilin/experiments/comparison.h"
+#include "rectilin/experiments/report.h"
+#include "rectilin/measure/source.h"
+#include "terminal.h"
+
+namespace rectilin::app {
+namespace {
+
+struct CompareOptions {
+  std::vector<std::string> sources;
+  std::vector<std::string> optimizers;
+  std::vector<std::string> domains = {"covering"};
+  Plan plan;
+  std::string out = "comparison";
+  int threads = 0;
+};
+
+/// Optimizers worth comparing where none are named: those of this list that are there.
+std::vector<std::string> default_optimizers(const Registry& registry) {
+  std::vector<std::string> present;
+  for (const char* wish : {"ga", "gray-ga=ga?encoding=gray&selection=tournament", "grid", "random", "super-fibonacci", "anneal",
+                           "multistart", "axis-sweep", "hybrid", "ceres", "nlopt:GN_DIRECT_L", "nlopt:GN_CRS2_LM", "pagmo:cmaes",
+                           "pagmo:sade"}) {
+    const std::string_view spec = split_label(wish).spec;
+    for (const Registry::Entry& entry : registry.entries())
+      if (entry.name == spec.substr(0, spec.find('?'))) present.push_back(wish);
+  }
+  return present;
+}
+
+std::string time_left(double seconds) {
+  if (!std::isfinite(seconds)) return "";
+  const long whole = std::lround(seconds);
+  return whole < 100 ? std::to_string(whole) + " s left: " : std::to_string((whole + 30) / 60) + " min left: ";
+}
+
+std::string quoted_command_line(int argc, const char* const* argv) {
+  std::string line;
+  for (int i = 0; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool plain = word.find_first_of(" \t'\"?&*;()$`\\|<>#!") == std::string::npos;
+    line += (i > 0 ? " " : "") + (plain ? word : "'" + word + "'");
+  }
+  return line;
+}
+
+int compare(CompareOptions options, const std::string& command_line) {
+  const Registry& registry = builtin_optimizers();
+  Plan& plan = options.plan;
+  plan.meshes = expand_folders(options.sources);
+  if (options.optimizers.empty()) options.optimizers = default_optimizers(registry);
+  plan.entries = parse_entries(options.optimizers, options.domains, registry);
+
+  std::optional<tbb::global_control> limit;
+  if (options.threads > 0)
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+
+  ComparisonOutcome outcome;
+  {
+    std::unique_ptr<Progress> progress;
+    ComparisonSettings settings;
+    settings.stop = stop_on_interrupt();
+    settings.command_line = command_line;
+    settings.on_progress = [&](const ComparisonProgress& now) {
+      if (!progress) progress = std::make_unique<Progress>(plan.meshes.size() * plan.entries.size() * plan.runs);
+      progress->show(now.done, time_left(now.seconds_left) + now.text);
+    };
+    outcome = run_comparison(plan, options.out, registry, settings);
+  }
+  for (const std::string& error : outcome.mesh_errors) complain(error);
+  if (!outcome.complete) {
+    complain("stopped; nothing finished is lost: the same command goes on from here");
+    return 1;
+  }
+  for (const std::string& trouble : write_report(options.out)) complain(trouble);
+  if (outcome.failed_runs > 0) complain(std::to_string(outcome.failed_runs) + " runs failed; the page lists them");
+  std::cout << options.out << "/index.html\n";
+  return outcome.mesh_errors.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, int& status, int argc, const char* const* argv) {
+  auto options = std::make_shared<CompareOptions>();
+  CLI::App* command = app.add_subcommand("compare", "Compare optimizers and write a page with the result");
+  command->add_option("source", options->sources, "Mesh files, folders of them, built-in shapes (shape:NAME?key=value)")->required();
+  command->add_option("-o,--optimizers", options->optimizers,
+                      "Optimizers separated by commas or blanks; may be repeated. Each as 'rectilin optimizers' shows it, with "
+                      "parameters (ga?population=100), as a pipeline (grid+nelder-mead), and with the box it searches after an @ "
+                      "(ga@paper, ga@zone). NAME= in front gives it another name. Default: a choice of those there are")
+      ->allow_extra_args(false);
+  command->add_option("-k,--runs", options->plan.runs, "Runs of each optimizer on each mesh, every one on another rotation of it")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  command->add_option("-b,--budget", options->plan.budget, "Evaluations a run")->check(CLI::PositiveNumber)->capture_default_str();
+  command->add_option("-s,--seed", options->plan.seed, "Seed of rotations and runs")->capture_default_str();
+  command->add_option("-d,--domain,--domains", options->domains,
+                      "Box for optimizers that search one and name none: paper, covering or zone; several, separated by commas, make "
+                      "an entry of each and a table of what the domain costs")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember({"paper", "covering", "zone"}))
+      ->capture_default_str();
+  command->add_option("-O,--out", options->out, "Folder for everything")->capture_default_str();
+  command->add_option("-c,--certificate", options->plan.certificate,
+                      "Optimizer that bounds R of each mesh; gaps are measured against its bound")
+      ->capture_default_str();
+  command->add_option("-t,--threads", options->threads, "Threads (default: all); each run has one to itself")->check(CLI::PositiveNumber);
+  command->footer(
+      "First the optimum of each mesh is bounded by a proof; then every optimizer has the same number of evaluations, on the\n"
+      "same random rotations. Runs are kept as they finish: after Ctrl-C (exit status 1) the same command goes on. In the end\n"
+      "OUT/index.html shows gaps to the optimum, runtimes, rankings and tests; beside it stand CSV and JSON of all of that, and\n"
+      "OUT/ioh for IOHanalyzer. Pictures take gnuplot.\n"
+      "Examples: rectilin compare shape:pyramid shape:blob --runs 5 --budget 1000\n"
+      "          rectilin compare meshes/ --optimizers 'ga, ga?encoding=gray, random' --out gray\n"
+      "          rectilin compare chair.off --optimizers ga,grid --domains paper,covering,zone");
+  command->callback([options, &status, argc, argv] { status = compare(*options, quoted_command_line(argc, argv)); });
+}
+
+}  // namespace rectilin::app

@@ -1,0 +1,40 @@
+// The figures of a comparison.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rectilin/experiments/figure.h"
+#include "rectilin/experiments/summary.h"
+
+namespace rectilin {
+
+/// Line style of every entry: a colour for each optimizer, a dash for each of its domains.
+std::vector<LineStyle> styles(const Plan& plan);
+
+/// A figure with what is said of it; its files are NAME.csv, NAME.gp and NAME.svg.
+struct Plot {
+  std::string name, caption;
+  Figure figure;
+};
+
+/// Gap against cost on one mesh: medians of all entries in one picture.
+Plot convergence_plot(const Results& results, std::size_t mesh, Cost unit);
+/// The same, a panel for each entry, with the band from the 10 % to the 90 % quantile.
+Plot band_plot(const Results& results, std::size_t mesh, Cost unit);
+
+/// Empirical distribution of runtimes: the share of pairs (run, target) reached within a cost, over all meshes
+/// and targets() (Hansen et al. 2021).
+Plot runtime_plot(const Results& results, Cost unit);
+
+/// Performance profile (Dolan and More 2002): for what share of the problems, pairs (mesh, target), is the
+/// expected running time within a factor of the best one's?
+Plot profile_plot(const Results& results, const Summary& summary);
+
+/// log10 of the median final gap, entries by meshes.
+Plot heat_plot(const Results& results, const Summary& summary);
+
+/// Letters, digits and dashes only, to be part of a file name.
+std::string slug(const std::string& text);
+
+}  // namespace rectilin

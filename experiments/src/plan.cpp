@@ -1,0 +1,108 @@
+#include "rectilin/experiments/plan.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+namespace rectilin {
+namespace {
+
+std::vector<std::string> split_list(const std::string& text) {
+  std::vector<std::string> items(1);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool blank = std::isspace(static_cast<unsigned char>(text[i])) != 0;
+    const bool in_number = i + 1 < text.size() && std::string_view("+-.0123456789").find(text[i + 1]) != std::string_view::npos;
+    if (blank || (text[i] == ',' && !in_number)) items.emplace_back();
+    else items.back() += text[i];
+  }
+  std::erase(items, "");
+  return items;
+}
+
+std::uint64_t hash(std::string_view text) {  // FNV-1a
+  std::uint64_t h = 0xcbf29ce484222325u;
+  for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  return h;
+}
+
+}  // namespace
+
+LabelledSpec split_label(std::string_view text) {
+  const std::size_t equals = text.substr(0, text.find('?')).find('=');
+  if (equals == std::string_view::npos) return {text, text};
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+std::vector<Entry> parse_entries(const std::vector<std::string>& lists, const std::vector<std::string>& domains,
+                                 const Registry& registry) {
+  for (const std::string& domain : domains) chart_by_name(domain);
+  std::vector<Entry> entries;
+  for (const std::string& list : lists) {
+    for (const std::string& item : split_list(list)) {
+      const LabelledSpec parts = split_label(item);
+      const std::string label(parts.label);
+      const std::size_t at = parts.spec.rfind('@');
+      const std::string spec(parts.spec.substr(0, at));
+      const bool uses_chart = registry.make(spec)->capabilities().uses_chart;
+      if (at != std::string::npos) {
+        const std::string domain(parts.spec.substr(at + 1));
+        chart_by_name(domain);
+        entries.push_back({label, spec, domain});
+      } else if (uses_chart && domains.size() > 1) {
+        for (const std::string& domain : domains) entries.push_back({label + "@" + domain, spec, domain});
+      } else {
+        entries.push_back({label, spec, domains.front()});
+      }
+    }
+  }
+  return entries;
+}
+
+void check(const Plan& plan) {
+  if (plan.meshes.empty()) throw ParameterError("there is no mesh to compare on");
+  if (plan.entries.empty()) throw ParameterError("there is no optimizer to compare");
+  if (plan.runs < 1) throw ParameterError("a comparison needs at least one run");
+  std::set<std::string> seen;
+  for (const std::string& mesh : plan.meshes)
+    if (!seen.insert(mesh).second) throw ParameterError("the mesh '" + mesh + "' is given twice");
+  seen.clear();
+  for (const Entry& entry : plan.entries)
+    if (!seen.insert(entry.label).second) throw ParameterError("the optimizer '" + entry.label + "' is given twice");
+}
+
+Json to_json(const Plan& plan) {
+  Json entries = Json::array();
+  for (const Entry& e : plan.entries) entries.push_back({{"label", e.label}, {"spec", e.spec}, {"domain", e.domain}});
+  return {{"meshes", plan.meshes}, {"optimizers", entries},  {"runs", plan.runs},
+          {"budget", plan.budget}, {"seed", plan.seed},      {"certificate", plan.certificate}};
+}
+
+Plan plan_from_json(const Json& json) {
+  Plan plan;
+  plan.meshes = json.at("meshes").get<std::vector<std::string>>();
+  for (const Json& e : json.at("optimizers"))
+    plan.entries.push_back({e.at("label").get<std::string>(), e.at("spec").get<std::string>(),
+                            e.at("domain").get<std::string>()});
+  json.at("runs").get_to(plan.runs);
+  json.at("budget").get_to(plan.budget);
+  json.at("seed").get_to(plan.seed);
+  json.at("certificate").get_to(plan.certificate);
+  return plan;
+}
+
+std::string difference(const Plan& stored, const Plan& asked) {
+  const Json a = to_json(stored), b = to_json(asked);
+  for (const auto& [key, value] : a.items())
+    if (value != b[key]) return value.is_array() ? "other " + key : key + " " + value.dump() + ", not " + b[key].dump();
+  return "no difference";
+}
+
+Instance instance(std::uint64_t seed, std::string_view mesh, int run) {
+  Random random = Random(seed).fork(hash(mesh)).fork(static_cast<std::uint64_t>(run));
+  Instance result;
+  result.rotation = random_rotation(random);
+  result.run_seed = random.bits() >> 11;  // 53 bits, so that readers of JSON without integers keep it
+  return result;
+}
+
+}  // namespace rectilin

@@ -1,0 +1,90 @@
+// A proof of the global minimum: branch and bound on the cubic fundamental zone.
+#pragma once
+
+#include <memory>
+
+#include "rectilin/optim/certificate.h"
+#include "rectilin/optim/optimizer.h"
+
+namespace rectilin {
+
+/// Best first, over boxes of Rodrigues vectors (papers/certificate.md has the mathematics). A box is bounded by the
+/// best mixture of cuts known to it; where the cuts are still too weak a new one is taken at the minimum of their
+/// upper envelope (Kelley 1960), and where the box is too large it is halved. Whatever ends the run, the evaluator's lower
+/// bound is a proved one.
+struct CertifyOptions {
+  double gap = 1e-6;       ///< stop when merit(lower bound) - merit(incumbent) is this small
+  int cells = 20'000'000;  ///< stop after so many boxes; 0: no limit
+  double seconds = 0;      ///< stop after so much time; 0: no limit
+  int batch = 32;          ///< boxes a round; the result depends on it, but not on the number of threads
+  int bundle = 6;          ///< cuts kept on each axis of a box
+  int descent = 15;        ///< steps of the local search from every better rotation that turns up
+  bool balls = true;       ///< use certified balls round the incumbent (needs generators)
+  bool minorants = true;   ///< use minorants of h on the sphere when boxes get too many (needs generators)
+  bool polish = true;      ///< in the end solve for the frame at which faces are parallel to axes (needs generators)
+  bool optima = false;     ///< after closing the gap, find all frames within it
+
+  void bind(Parameters& table);
+};
+
+/// A generator that is parallel to an axis of the frame: r_axis . v = 0.
+struct ActiveFace {
+  int axis;               ///< 0, 1 or 2
+  std::size_t generator;  ///< index into Objective::generators()
+};
+
+/// A set of frames within the gap of the best value, as far as it could be told apart from others.
+struct Optimum {
+  enum class Kind {
+    kPoint,      ///< one frame, proved to be a strict local minimum
+    kContinuum,  ///< the frames do not stay within a ball: a curve or more of them, to the resolution
+    kPossible,   ///< no frame of it was shown to be within the gap, none could be excluded either
+  };
+  Kind kind = Kind::kPoint;
+  Rotation rotation;  ///< the best frame met, as reduce_to_zone() turns it
+  double value = 0;
+};
+
+struct CertifyResult {
+  /// The state after a number of boxes.
+  struct Step {
+    std::uint64_t cells;
+    std::uint64_t evaluations;
+    double seconds;
+    double value;  ///< of the incumbent
+    double lower;  ///< proved
+  };
+
+  Incumbent incumbent;
+  double lower = 0;               ///< no rotation has a smaller value
+  bool closed = false;            ///< the gap asked for was reached
+  std::uint64_t cells = 0;        ///< boxes bounded
+  std::uint64_t leaves = 0;       ///< boxes that needed no halving
+  std::size_t largest_heap = 0;   ///< boxes open at once, at most
+  double ball_angle = 0;          ///< radians round the incumbent that needed no boxes
+  int minorant_levels = 0;        ///< of the subdivided sphere; 0: not built
+  std::vector<Step> trajectory;   ///< one step for each change of value or lower
+  std::vector<ActiveFace> active; ///< where polishing ended, three independent ones if there are
+  std::vector<Optimum> optima;    ///< if asked for, best first
+};
+
+/// Throws ParameterError if the objective has no cuts. With `certificate` the run records a proof that others can
+/// check; it then does without balls and minorants, which costs little but on nearly round meshes. The
+/// certificate is empty if the gap was not closed.
+CertifyResult certify(Evaluator& evaluator, const CertifyOptions& options, Certificate* certificate = nullptr);
+
+class Certify final : public OptimizerWith<CertifyOptions> {
+ public:
+  using Options = CertifyOptions;
+  static constexpr const char* kName = "certify";
+
+  explicit Certify(Options options = {}) : OptimizerWith(options) {}
+
+  std::string name() const override { return kName; }
+  Capabilities capabilities() const override {
+    return {.uses_chart = false, .uses_random = false, .batches = true, .needs_cuts = true, .certifies = true};
+  }
+  void run(Evaluator& evaluator, const Chart& chart, Random& random) const override;
+};
+
+}  // namespace rectilin

@@ -1,0 +1,41 @@
+// Local methods: searches that improve one given start.
+#pragma once
+
+#include "rectilin/optim/optimizer.h"
+
+namespace rectilin {
+
+/// What a local optimizer offers besides run(): a descent from a start of the caller's choice.
+/// Thread safe like the optimizer it belongs to.
+class LocalSearch {
+ public:
+  virtual ~LocalSearch() = default;
+
+  /// Searches from `start` until it has converged (which is no evidence of a minimum) or the budget
+  /// is spent.
+  virtual void improve(const Rotation& start, Evaluator& evaluator, const Chart& chart,
+                       Random& random) const = 0;
+};
+
+/// Where a local method starts if nobody says: the evaluator's incumbent or, if there is none, a
+/// random rotation.
+Rotation start_of(const Evaluator& evaluator, Random& random);
+
+/// Runs `local` from `starts` uniformly random rotations, or until the budget is spent if `starts`
+/// is 0 (or 10,000 evaluations, if the budget has no limit). With `from_incumbent` the first start
+/// is start_of() instead.
+void improve_from_starts(const LocalSearch& local, int starts, bool from_incumbent,
+                         Evaluator& evaluator, const Chart& chart, Random& random);
+
+/// Base of a local optimizer: write improve(), and run() follows.
+template <class Options>
+class LocalOptimizerWith : public OptimizerWith<Options>, public LocalSearch {
+ public:
+  using OptimizerWith<Options>::OptimizerWith;
+
+  void run(Evaluator& evaluator, const Chart& chart, Random& random) const override {
+    improve(start_of(evaluator, random), evaluator, chart, random);
+  }
+};
+
+}  // namespace rectilin

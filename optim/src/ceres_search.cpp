@@ -1,0 +1,77 @@
+#include "ceres_search.h"
+
+#include <ceres/gradient_problem.h>
+#include <ceres/gradient_problem_solver.h>
+#include <ceres/manifold.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rectilin {
+namespace {
+
+/// The surrogate as a function of a unit quaternion (x, y, z, w).
+class Surrogate final : public ceres::FirstOrderFunction {
+ public:
+  Surrogate(Evaluator& evaluator, double width) : evaluator_(evaluator), width_(width) {}
+
+  int NumParameters() const override { return 4; }
+
+  bool Evaluate(const double* parameters, double* cost, double* gradient) const override {
+    if (evaluator_.remaining() < Costs::kPerSmooth + Costs::kPerValue)
+      return false;  // one for the end point
+    const Eigen::Quaterniond q(parameters);
+    const Rotation rotation = Rotation::from_quaternion(q);
+    const SmoothValue smooth = evaluator_.smooth(rotation, width_);
+    if (!std::isfinite(smooth.value)) return false;
+    *cost = smooth.value;
+    if (gradient) {
+      // Ceres moves by d to (d, 1) q, a turn by 2d, and the directions (e_i, 0) q are orthonormal:
+      // the gradient on the manifold, in that basis.
+      const Eigen::Vector3d slope = 2 * turning_gradient(smooth.gradient, rotation);
+      const Eigen::Quaterniond ambient = Eigen::Quaterniond(0, slope.x(), slope.y(), slope.z()) * q;
+      std::copy_n(ambient.coeffs().data(), 4, gradient);
+    }
+    return true;
+  }
+
+ private:
+  Evaluator& evaluator_;
+  double width_;
+};
+
+}  // namespace
+
+void CeresOptions::bind(Parameters& table) {
+  table
+      .integer("starts", starts, 0, 1000000000,
+               "searches: the first from the incumbent, if there is one, the others from random "
+               "rotations; "
+               "0: until the budget is spent, 10,000 evaluations if it has no limit")
+      .integer("iterations", iterations, 1, 1000000, "iterations of L-BFGS in each round, at most");
+  graduation.bind(table);
+}
+
+void CeresSearch::run(Evaluator& evaluator, const Chart& chart, Random& random) const {
+  improve_from_starts(*this, options_.starts, /*from_incumbent=*/true, evaluator, chart, random);
+}
+
+void CeresSearch::improve(const Rotation& start, Evaluator& evaluator, const Chart&,
+                          Random&) const {
+  require_smooth(evaluator.objective(), kName);
+  Eigen::Quaterniond q = start.quaternion();
+  ceres::GradientProblemSolver::Options solver;
+  solver.logging_type = ceres::SILENT;
+  solver.max_num_iterations = options_.iterations;
+  solver.function_tolerance = 1e-12;
+  for (int round = 0; round < options_.graduation.rounds && !evaluator.exhausted(); ++round) {
+    const ceres::GradientProblem problem(
+        new Surrogate(evaluator, options_.graduation.at(round)),
+        new ceres::EigenQuaternionManifold);  // owned by the problem
+    ceres::GradientProblemSolver::Summary summary;
+    ceres::Solve(solver, problem, q.coeffs().data(), &summary);
+    evaluator.value(Rotation::from_quaternion(q));
+  }
+}
+
+}  // namespace rectilin

@@ -1,0 +1,32 @@
+// From cuts to a cell's bound.
+#pragma once
+
+#include "cell.h"
+#include "corner_game.h"
+
+namespace rectilin::bounding {
+
+/// Bounds cells with the cuts in their bundles. Reads the table only: many threads may share one.
+class Bounder {
+ public:
+  explicit Bounder(const CutTable& table) : table_(table) {}
+
+  /// Raises the cell's bound, as far as `enough`, and returns the weights that prove it. If that is still not
+  /// `enough`, finds the model's low point, ranks the edges by what halving them may gain, and moves useful
+  /// cuts to the front.
+  PerCut<double> raise(Cell& cell, double enough) const;
+
+  /// A minorant in the cell's bundle of axis k, or its local one, which counts as the last.
+  Minorant minorant(const Cell& cell, int k, int j) const {
+    const Cell::Bundle& bundle = cell.bundles[k];
+    return j < bundle.size ? Minorant{table_[bundle.cuts[j]], 0} : cell.local[k];
+  }
+
+ private:
+  void describe(Cell& cell, const Corners& corners, const Strategies& strategies,
+                const Array8& values) const;
+
+  const CutTable& table_;
+};
+
+}  // namespace rectilin::bounding

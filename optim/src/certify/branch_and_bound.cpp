@@ -1,0 +1,272 @@
+#include "branch_and_bound.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+
+#include "box_bound.h"
+#include "descent.h"
+
+namespace rectilin::bounding {
+namespace {
+
+/// Angle (radians) by which the rotations asked for are off the model's minima. These tend to have faces parallel
+/// to axes to the last bit, where the signs in a cut are rounding noise; a little off, they are the same for everyone who
+/// recomputes the cut.
+constexpr double kJitter = 1e-10;
+
+constexpr int kRetries = 3;                  // times new cuts may be tried before a cell is halved
+constexpr std::uint64_t kCellsBeforeBalls = 100;
+
+constexpr std::uint64_t kCellsBeforeMinorants = 1000;
+// What minorants on the sphere cost, in cells.
+constexpr double kManyCells = 1e6, kCellsPerGenerator = 20;
+
+}  // namespace
+
+double cutoff_value(const Objective& objective, double value, double gap) {
+  const double target = objective.merit(value) + gap;
+  double low = 0, high = value;
+  for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
+    (objective.merit(middle) <= target ? high : low) = middle;
+  return high;
+}
+
+double rounding_allowance(const CutBounds& bounds) { return 3 * bounds.error + kBoxRounding * bounds.norm; }
+
+BranchAndBound::BranchAndBound(Evaluator& evaluator, const CertifyOptions& options, ProofTree* proof)
+    : evaluator_(evaluator),
+      options_(options),
+      proof_(proof),
+      generators_(evaluator.objective().generators()),
+      facts_(evaluator.objective().cut_bounds()),
+      allowance_(rounding_allowance(facts_)),
+      bounder_(table_) {}
+
+CertifyResult BranchAndBound::run() {
+  Cell zone;
+  zone.box = Box::zone();
+  zone.bound = facts_.floor + allowance_;
+  heap_.push(zone);
+  update_cutoff();
+  report();
+  while (!heap_.empty() && facts_.floor < cutoff_ && !stopped()) {
+    take_round();
+    if (!evaluate_round()) {
+      for (const Slot& slot : round_) heap_.push(slot.cell);
+      break;
+    }
+    update_balls();
+    update_minorants();
+    tbb::parallel_for(std::size_t{0}, round_.size(), [this](std::size_t i) { expand(round_[i]); });
+    for (Slot& slot : round_) merge(slot);
+    report();
+  }
+  report();
+  result_.incumbent = evaluator_.incumbent();
+  result_.closed = evaluator_.has_incumbent() && (heap_.empty() || facts_.floor >= cutoff_);
+  result_.largest_heap = heap_.largest();
+  return std::move(result_);
+}
+
+bool BranchAndBound::stopped() const {
+  return evaluator_.exhausted() || (options_.cells > 0 && result_.cells >= static_cast<std::uint64_t>(options_.cells)) ||
+         (options_.seconds > 0 && evaluator_.seconds() >= options_.seconds);
+}
+
+void BranchAndBound::take_round() {
+  round_.clear();
+  while (!heap_.empty() && std::ssize(round_) < options_.batch) {
+    Cell cell = heap_.pop();
+    if (cell.bound >= enough_) {
+      if (!proof_) {
+        settle(cell, {});
+        continue;
+      }
+      cell.bound = facts_.floor;  // the bound may be that of a larger cell: the proof needs weights for this one
+      const PerCut<double> weight = raise(cell);
+      if (cell.bound >= enough_) {
+        settle(cell, weight);
+        continue;
+      }
+    }
+    if (balls_.holding(cell.box) >= 0) ++result_.leaves;
+    else round_.emplace_back().cell = cell;
+  }
+}
+
+/// Takes cuts at the low points of the cells whose model is too low there, where nothing but a cut can help. Returns
+/// false if the budget ends first.
+bool BranchAndBound::evaluate_round() {
+  const double before = evaluator_.incumbent().value;
+  std::vector<Rotation> rotations;
+  for (Slot& slot : round_) {
+    if (slot.cell.model >= enough_) continue;
+    slot.cuts = static_cast<std::uint32_t>(table_.size() + 3 * rotations.size());
+    Eigen::Vector3d aside;
+    for (double& component : aside) component = jitter_.uniform(-kJitter, kJitter);
+    rotations.push_back(rotation_from_rodrigues(slot.cell.low_point + aside));
+  }
+  if (rotations.empty()) return true;
+  std::vector<Cut> cuts(rotations.size());
+  evaluator_.cuts(rotations, cuts);
+  if (cuts.back().value == std::numeric_limits<double>::infinity()) return false;
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    for (int k = 0; k < 3; ++k) table_.push_back(cuts[i].gradient.row(k).transpose());
+    if (proof_) proof_->add_cuts(rotations[i]);
+  }
+  improve_incumbent(rotations, cuts, before);
+  return true;
+}
+
+void BranchAndBound::improve_incumbent(std::span<const Rotation> rotations, std::span<const Cut> cuts, double before) {
+  const auto best = std::ranges::min_element(cuts, {}, &Cut::value);
+  if (!(best->value < before)) return;
+  const double slack = std::isfinite(before) ? before - cutoff_ : 0;
+  descend(evaluator_, rotations[static_cast<std::size_t>(best - cuts.begin())], *best, options_.descent, 1e-6 * slack);
+  update_cutoff();
+}
+
+void BranchAndBound::update_cutoff() {
+  if (!evaluator_.has_incumbent()) return;
+  cutoff_ = cutoff_value(evaluator_.objective(), evaluator_.incumbent().value, options_.gap);
+  enough_ = cutoff_ + allowance_;
+  balls_are_current_ = false;
+}
+
+void BranchAndBound::update_balls() {
+  if (balls_are_current_ || !options_.balls || proof_ || generators_.size() == 0 || result_.cells < kCellsBeforeBalls) return;
+  balls_are_current_ = true;
+  balls_.clear();
+  result_.ball_angle = kink_ball(generators_, evaluator_.incumbent().rotation, enough_);
+  if (result_.ball_angle > 1e-6) balls_.add(evaluator_.incumbent().rotation, result_.ball_angle);
+  least_settled_ = std::min(least_settled_, enough_);
+}
+
+/// Minorants on the sphere pay where the whole landscape is flat. The mean of the objective over all rotations is 3/2
+/// of the generators' lengths (the paper's eq. 24); with the best value a fraction d below that, about
+/// 18 d^(-3/2) cells are needed, or as many for the gap if that is larger: so many small balls of the size at which a
+/// cell's curvature hides d fill the zone. Measured on meshes with d from 0.0005 to 0.03.
+bool BranchAndBound::is_flat() const {
+  double mean = 0;
+  for (std::size_t i = 0; i < generators_.size(); ++i) mean += 1.5 * generators_[i].norm();
+  const double value = evaluator_.incumbent().value;
+  const double depth = std::max(mean - value, value - cutoff_) / mean;
+  const double cells = 18 * std::pow(depth, -1.5);
+  return cells > std::max(kManyCells, kCellsPerGenerator * static_cast<double>(generators_.size()));
+}
+
+void BranchAndBound::update_minorants() {
+  if (flatness_is_known_ || !options_.minorants || proof_ || generators_.size() == 0 ||
+      result_.cells < kCellsBeforeMinorants)
+    return;
+  flatness_is_known_ = true;
+  if (!is_flat()) return;
+  // Finer triangles for a smaller gap; three axes may each lose the tolerance.
+  const double wanted = evaluator_.incumbent().value - cutoff_;
+  result_.minorant_levels = std::clamp(static_cast<int>(std::lround(2 - std::log10(3 * wanted))), 5, 8);
+  minorants_ = std::make_unique<SphereMinorants>(generators_, result_.minorant_levels, 0.2 * wanted);
+}
+
+void BranchAndBound::expand(Slot& slot) const {
+  if (slot.cuts) {
+    for (std::uint32_t k = 0; k < 3; ++k) slot.cell.bundles[k].add(*slot.cuts + k, options_.bundle);
+    const double before = slot.cell.bound;
+    slot.weight = bounder_.raise(slot.cell, enough_);
+    if (slot.cell.bound >= enough_) {
+      slot.state = Slot::State::kDone;
+      return;
+    }
+    // More cuts while they pay.
+    if (slot.cell.retries < kRetries && slot.cell.bound - before > 0.5 * (enough_ - before)) {
+      ++slot.cell.retries;
+      return;
+    }
+  }
+  slot.state = Slot::State::kHalved;
+  halve(slot);
+}
+
+void BranchAndBound::halve(Slot& slot) const {
+  const Cell& cell = slot.cell;
+  for (int i = 1; i < 3; ++i)  // ties, but for rounding, go to the first axis
+    if (cell.spread[i] > 1.0001f * cell.spread[slot.axis]) slot.axis = i;
+  for (int side = 0; side < 2; ++side) {
+    Part& part = slot.parts[side];
+    part.cell = cell;
+    part.cell.box = cell.box.half(slot.axis, side);
+    part.cell.retries = 0;
+    if (!part.cell.box.meets_zone()) {
+      part.state = Part::State::kOutside;
+    } else if (balls_.holding(part.cell.box) >= 0) {
+      part.state = Part::State::kInBall;
+    } else {
+      part.weight = raise(part.cell);
+      if (part.cell.bound >= enough_) part.state = Part::State::kDone;
+    }
+  }
+}
+
+PerCut<double> BranchAndBound::raise(Cell& cell) const {
+  const PerCut<double> weight = bounder_.raise(cell, enough_);
+  if (minorants_ && cell.bound < enough_) sharpen(cell);
+  return weight;
+}
+
+/// Replaces the cell's local minorants by those of the caps its axes sweep, if that raises its bound.
+void BranchAndBound::sharpen(Cell& cell) const {
+  const Corners corners(cell.box);
+  const Rotation middle = rotation_from_rodrigues(cell.box.centre());
+  Cell sharper = cell;
+  sharper.has_local = true;
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d axis = middle.axis(k);
+    Eigen::Matrix3d form = Eigen::Matrix3d::Zero();
+    form.row(k) = axis.transpose();
+    const double cosine = box_bound(form, corners.along(k, axis), cell.box) - 1e-14;
+    if (cosine < 0.7) return;
+    const auto minorant = minorants_->on_cap(axis, std::acos(cosine) * (1 + 1e-9));
+    if (!minorant) return;
+    sharper.local[k] = *minorant;
+  }
+  bounder_.raise(sharper, enough_);
+  if (sharper.bound > cell.bound) cell = sharper;
+}
+
+void BranchAndBound::merge(Slot& slot) {
+  if (slot.state == Slot::State::kAgain) return heap_.push(slot.cell);
+  if (slot.state == Slot::State::kDone) return settle(slot.cell, slot.weight);
+  const std::uint32_t node = proof_ ? proof_->halve(slot.cell.node, slot.axis) : 0;
+  for (std::uint32_t side = 0; side < 2; ++side) {
+    Part& part = slot.parts[side];
+    part.cell.node = node + side;
+    if (part.state == Part::State::kOutside) {
+      if (proof_) proof_->set_outside(part.cell.node);
+      continue;
+    }
+    ++result_.cells;
+    if (part.state == Part::State::kOpen) heap_.push(part.cell);
+    else if (part.state == Part::State::kDone) settle(part.cell, part.weight);
+    else ++result_.leaves;
+  }
+}
+
+void BranchAndBound::settle(Cell& cell, const PerCut<double>& weight) {
+  ++result_.leaves;
+  least_settled_ = std::min(least_settled_, cell.bound);
+  if (proof_) proof_->set_leaf(cell.node, cell.bundles, weight);
+}
+
+/// Publishes the bound that holds now.
+void BranchAndBound::report() {
+  const double value = evaluator_.incumbent().value;
+  const double proved = std::min({heap_.least_bound(), least_settled_}) - allowance_;
+  const double lower = std::min(std::max(proved, facts_.floor), value);
+  const bool news = result_.trajectory.empty() || lower > result_.lower || value < result_.trajectory.back().value;
+  result_.lower = std::max(result_.lower, lower);
+  if (!news) return;
+  evaluator_.raise_lower_bound(result_.lower);
+  result_.trajectory.push_back({result_.cells, evaluator_.costs().evaluations(), evaluator_.seconds(), value, result_.lower});
+}
+
+}  // namespace rectilin::bounding

@@ -1,0 +1,92 @@
+// The search itself: rounds of cells, from the heap and back.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "bounder.h"
+#include "cell_heap.h"
+#include "kink_ball.h"
+#include "proof_tree.h"
+#include "rectilin/optim/certify.h"
+#include "rectilin/optim/evaluator.h"
+#include "sphere_minorants.h"
+
+namespace rectilin::bounding {
+
+/// The least value of the objective whose merit is within `gap` of that of `value`.
+double cutoff_value(const Objective& objective, double value, double gap);
+
+/// What is known of rounding, in the units of the objective: a bound that was computed may be too high by that much.
+double rounding_allowance(const CutBounds& bounds);
+
+/// One run. A round takes the cells of least bound, evaluates their cuts in one batch, works on them in parallel, each
+/// into a slot of its own, and merges the slots in order: the result does not depend on the number of threads.
+class BranchAndBound {
+ public:
+  /// `proof` may be null; all others must outlive the object.
+  BranchAndBound(Evaluator& evaluator, const CertifyOptions& options, ProofTree* proof);
+
+  CertifyResult run();
+
+ private:
+  /// A half of a cell.
+  struct Part {
+    enum class State { kOpen, kDone, kOutside, kInBall };
+    State state = State::kOpen;
+    Cell cell;
+    PerCut<double> weight;  // that prove the bound, if done
+  };
+
+  /// A cell of the round, and what becomes of it.
+  struct Slot {
+    enum class State { kAgain, kDone, kHalved };
+    State state = State::kAgain;
+    Cell cell;
+    std::optional<std::uint32_t> cuts;  // the first of the three new ones, if it asked for some
+    PerCut<double> weight;
+    int axis = 0;
+    std::array<Part, 2> parts;
+  };
+
+  bool stopped() const;
+  void take_round();
+  bool evaluate_round();
+  void improve_incumbent(std::span<const Rotation> rotations, std::span<const Cut> cuts, double before);
+  void update_cutoff();
+  void update_balls();
+  bool is_flat() const;
+  void update_minorants();
+  void expand(Slot& slot) const;
+  void halve(Slot& slot) const;
+  PerCut<double> raise(Cell& cell) const;
+  void sharpen(Cell& cell) const;
+  void merge(Slot& slot);
+  void settle(Cell& cell, const PerCut<double>& weight);
+  void report();
+
+  Evaluator& evaluator_;
+  const CertifyOptions& options_;
+  ProofTree* proof_;
+  const Generators generators_;
+  const CutBounds facts_;
+  const double allowance_;
+
+  CutTable table_;
+  Bounder bounder_;
+  CellHeap heap_;
+  std::vector<Slot> round_;
+  Balls balls_;
+  bool balls_are_current_ = false;
+  std::unique_ptr<const SphereMinorants> minorants_;
+  bool flatness_is_known_ = false;
+  Random jitter_{1};
+
+  double cutoff_ = std::numeric_limits<double>::infinity();     // certified this high, the gap is closed
+  double enough_ = std::numeric_limits<double>::infinity();     // cutoff and allowance: cells are done here
+  double least_settled_ = std::numeric_limits<double>::infinity();  // least bound of a cell that was done
+  CertifyResult result_;
+};
+
+}  // namespace rectilin::bounding

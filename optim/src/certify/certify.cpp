@@ -1,0 +1,38 @@
+#include "rectilin/optim/certify.h"
+
+#include "branch_and_bound.h"
+#include "polish.h"
+
+namespace rectilin {
+
+void CertifyOptions::bind(Parameters& table) {
+  table.real("gap", gap, 0, 10, "stop when the merit is known to within this")
+      .integer("cells", cells, 0, 2'000'000'000, "stop after so many boxes of rotations; 0: no limit")
+      .real("seconds", seconds, 0, 1e9, "stop after so much time; 0: no limit")
+      .integer("batch", batch, 1, 100'000, "boxes a round")
+      .integer("bundle", bundle, 1, bounding::Cell::kMaxBundle, "cuts kept on each axis of a box")
+      .integer("descent", descent, 0, 1000, "steps of the local search from each better rotation")
+      .flag("balls", balls, "certified balls round the incumbent")
+      .flag("minorants", minorants, "minorants on the sphere when there are many boxes")
+      .flag("polish", polish, "solve for the frame at which faces are parallel to axes")
+      .flag("optima", optima, "find all frames within the gap");
+}
+
+CertifyResult certify(Evaluator& evaluator, const CertifyOptions& options, Certificate* certificate) {
+  if (!evaluator.objective().has_cuts())
+    throw ParameterError(std::string(Certify::kName) + ": '" + evaluator.objective().name() + "' has no cuts");
+  std::optional<bounding::ProofTree> proof;
+  if (certificate) proof.emplace();
+  CertifyResult result = bounding::BranchAndBound(evaluator, options, proof ? &*proof : nullptr).run();
+  if (options.polish && evaluator.has_incumbent() && evaluator.objective().generators().size() > 0) {
+    result.active = bounding::polish(evaluator);
+    result.incumbent = evaluator.incumbent();
+    result.lower = std::min(result.lower, result.incumbent.value);
+  }
+  if (proof && result.closed) *certificate = proof->certificate();
+  return result;
+}
+
+void Certify::run(Evaluator& evaluator, const Chart&, Random&) const { certify(evaluator, options_); }
+
+}  // namespace rectilin

@@ -1,0 +1,78 @@
+#include "descent.h"
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "corner_game.h"
+
+namespace rectilin::bounding {
+namespace {
+
+constexpr double kFirstRadius = 0.1, kLargestRadius = 0.2, kSmallestRadius = 1e-13;  // radians
+
+/// The cuts of each axis that the model keeps.
+class Model {
+ public:
+  explicit Model(const Cut& cut) { add(cut, {}); }
+
+  /// The game of the cube of turns: to first order, turning the frame by t moves a cut g's value at the axis r by
+  /// t . (r x g).
+  Strategies minimum(const Rotation& at, double radius) const {
+    static const std::array<Array8, 3> signs = {corner_signs(0), corner_signs(1), corner_signs(2)};
+    CornerGame game;
+    for (int k = 0; k < 3; ++k)
+      for (const Eigen::Vector3d& slope : slopes_[k]) {
+        const Eigen::Vector3d axis = at.axis(k), moment = radius * axis.cross(slope);
+        game.add(k, slope.dot(axis) + moment[0] * signs[0] + moment[1] * signs[1] + moment[2] * signs[2]);
+      }
+    return solve(game, std::numeric_limits<double>::infinity());
+  }
+
+  /// Adds a cut; if room is short, those without weight go first.
+  void add(const Cut& cut, const PerCut<double>& weight) {
+    for (int k = 0; k < 3; ++k) {
+      std::vector<Eigen::Vector3d> kept = {cut.gradient.row(k).transpose()};
+      for (const bool active : {true, false})
+        for (std::size_t j = 0; j < slopes_[k].size() && kept.size() < kCapacity; ++j)
+          if ((weight[k][j] > 1e-12) == active) kept.push_back(slopes_[k][j]);
+      slopes_[k] = std::move(kept);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kCapacity = 8;
+  std::array<std::vector<Eigen::Vector3d>, 3> slopes_;
+};
+
+}  // namespace
+
+void descend(Evaluator& evaluator, const Rotation& start, const Cut& cut, int steps, double enough) {
+  static const std::array<Array8, 3> signs = {corner_signs(0), corner_signs(1), corner_signs(2)};
+  Model model(cut);
+  Rotation at = start;
+  double value = cut.value, radius = kFirstRadius;
+  for (int step = 0; step < steps && !evaluator.exhausted(); ++step) {
+    const Strategies best = model.minimum(at, radius);
+    const double promised = value - best.value;
+    if (!(promised > std::max(1e-14 * value, enough))) return;
+    Eigen::Vector3d turn;
+    for (int i = 0; i < 3; ++i) turn[i] = radius * (signs[i] * best.corner).sum();
+    // The axes r turn to exp(turn) r, in the mesh's coordinates; the quaternion keeps the frame orthonormal.
+    const Rotation next =
+        Rotation::from_quaternion((at * rotation_from_vector(turn).inverse()).quaternion());
+    const Cut there = evaluator.cut(next);
+    model.add(there, best.weight);
+    const double length = turn.norm();
+    if (there.value < value) {
+      if (turn.cwiseAbs().maxCoeff() > 0.99 * radius) radius = std::min(kLargestRadius, 2 * radius);
+      else if (value - there.value < 0.25 * promised) radius = std::max(length, 0.5 * radius);
+      at = next;
+      value = there.value;
+    } else {
+      radius = std::min(0.5 * radius, std::max(2 * length, 0.1 * radius));
+      if (radius < kSmallestRadius) return;
+    }
+  }
+}
+
+}  // namespace rectilin::bounding

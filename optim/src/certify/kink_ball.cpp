@@ -1,0 +1,174 @@
+#include "kink_ball.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rectilin::bounding {
+namespace {
+
+/// Faces this near to parallel (radians) may be given free signs. One that is only nearly parallel costs its
+/// |r . v|, so the largest tolerance need not give the largest ball.
+constexpr double kTolerances[] = {1e-12, 1e-10, 1e-8, 1e-6, 1e-4};
+constexpr std::size_t kMostFree = 200, kMostSummands = 24;
+
+/// A face nearly parallel to axis k, with the sign that makes r_k . v nonnegative.
+struct FreeFace {
+  double angle;    // to being parallel
+  double product;  // r_k . v
+  int axis;
+  Eigen::Vector3d v;
+};
+
+/// Free faces whose moments are parallel, as one: they take one common sign.
+struct Summand {
+  Eigen::Vector3d moment;  // sum of r x v
+  Eigen::Matrix3d form;    // sum of r v^T
+};
+
+using Extended = Eigen::Matrix<long double, 3, 1>;
+
+/// Sorts the faces at a frame into those with a sign and those that may be free, in one pass.
+struct Split {
+  std::array<Extended, 3> settled = {Extended::Zero(), Extended::Zero(), Extended::Zero()};
+  std::vector<FreeFace> free;  // nearest to parallel first
+  double total = 0;
+
+  Split(const Generators& generators, const Rotation& frame) {
+    constexpr double kWidest = std::end(kTolerances)[-1];
+    const Eigen::Matrix3d& r = frame.matrix();
+    for (std::size_t i = 0; i < generators.size(); ++i) {
+      const Eigen::Vector3d v = generators[i], products = r * v;
+      const double length = v.norm();
+      total += length;
+      for (int k = 0; k < 3; ++k) {
+        const Eigen::Vector3d turned = products[k] < 0 ? Eigen::Vector3d(-v) : v;
+        const double product = std::abs(products[k]);
+        if (product < kWidest * length) free.push_back({product / length, product, k, turned});
+        else settled[k] += turned.cast<long double>();
+      }
+    }
+    std::ranges::stable_sort(free, {}, &FreeFace::angle);
+  }
+};
+
+std::vector<Summand> merge_parallel(const Rotation& frame, const std::vector<FreeFace>& free, std::size_t count) {
+  std::vector<Summand> summands;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Vector3d r = frame.axis(free[i].axis), moment = r.cross(free[i].v);
+    const Eigen::Matrix3d form = r * free[i].v.transpose();
+    const auto same = std::ranges::find_if(summands, [&](const Summand& s) {
+      return s.moment.cross(moment).squaredNorm() < 1e-14 * s.moment.squaredNorm() * moment.squaredNorm();
+    });
+    if (same == summands.end()) {
+      summands.push_back({moment, form});
+    } else {
+      const double sign = same->moment.dot(moment) < 0 ? -1 : 1;
+      same->moment += sign * moment;
+      same->form += sign * form;
+    }
+  }
+  // Any subset is a valid choice; the signs of the rest stay zero.
+  std::ranges::stable_sort(summands, std::ranges::greater(),
+                           [](const Summand& s) { return s.moment.squaredNorm(); });
+  if (summands.size() > kMostSummands) summands.resize(kMostSummands);
+  return summands;
+}
+
+/// A lower bound of the support function of w + sum [-a, a] on unit vectors. If the origin is inside, that is its
+/// inradius about the origin, attained at the normal of a facet, which two of the a span.
+double least_support(const Eigen::Vector3d& w, const std::vector<Summand>& summands, double rounding) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < summands.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      Eigen::Vector3d normal = summands[i].moment.cross(summands[j].moment);
+      const double length = normal.norm();
+      if (length == 0) return -w.norm() - rounding;
+      normal /= length;
+      double support = -std::abs(w.dot(normal));
+      for (const Summand& s : summands) support += std::abs(normal.dot(s.moment));
+      least = std::min(least, support);
+    }
+  // Moments merged unless their angle exceeds 1e-7 leave 1e-9 of a normal's digits to rounding.
+  least -= 1e-8 * rounding / kBallRounding;
+  return summands.size() >= 3 && least > 0 ? least : -w.norm() - rounding;
+}
+
+Eigen::Vector3d symmetric_eigenvalues(const Eigen::Matrix3d& m) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(0.5 * (m + m.transpose()), Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+/// The angle for one choice of free faces, the first `count`.
+double angle_with(const Split& split, const Rotation& frame, std::size_t count, double value) {
+  const double rounding = kBallRounding * split.total;
+  std::array<Extended, 3> g = split.settled;
+  for (std::size_t i = count; i < split.free.size(); ++i)
+    g[split.free[i].axis] += split.free[i].v.cast<long double>();
+  Eigen::Matrix3d form = Eigen::Matrix3d::Zero();  // B with the free signs zero
+  Eigen::Vector3d w = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d r = frame.axis(k), gk = g[k].cast<double>();
+    form += r * gk.transpose();
+    w += r.cross(gk);
+  }
+  const std::vector<Summand> summands = merge_parallel(frame, split.free, count);
+  double at_centre = form.trace() - rounding, curvature = form.trace() - symmetric_eigenvalues(form)[0] + rounding;
+  for (const Summand& s : summands) {
+    at_centre -= std::abs(s.form.trace());
+    curvature += std::abs(s.form.trace()) + symmetric_eigenvalues(s.form).cwiseAbs().maxCoeff();
+  }
+  const double slope = least_support(w, summands, rounding);
+
+  // at_centre + slope sin t - curvature (1 - cos t) >= value, in x = tan(t/2). Only if it holds at x = 0 do its
+  // solutions begin there.
+  const double below = value - at_centre, a = 2 * curvature + below, discriminant = slope * slope - below * a;
+  if (!(below <= 0 && a > 0 && discriminant > 0)) return 0;
+  return 2 * std::atan(std::max(0.0, (slope + std::sqrt(discriminant)) / a));
+}
+
+}  // namespace
+
+double kink_ball(const Generators& generators, const Rotation& centre, double value) {
+  const Split split(generators, centre);
+  double best = 0;
+  std::size_t previous = split.free.size() + 1;
+  for (const double tolerance : kTolerances) {
+    const auto end = std::ranges::lower_bound(split.free, tolerance, {}, &FreeFace::angle);
+    const auto count = static_cast<std::size_t>(end - split.free.begin());
+    if (count == previous || count > kMostFree) continue;
+    previous = count;
+    best = std::max(best, angle_with(split, centre, count, value));
+  }
+  return std::min(best * (1 - 1e-9), std::numbers::pi / 2 - 1e-3);
+}
+
+void Balls::add(const Rotation& centre, double angle) {
+  for (const Rotation& symmetry : frame_symmetries()) {
+    const Rotation copy = symmetry * centre;
+    // No rotation of the zone turns by more than 62.8 degrees.
+    if (angle_between(copy, Rotation()) > 1.1 + angle) continue;
+    const Eigen::Quaterniond q = copy.quaternion().normalized();
+    balls_.push_back({{q.w(), q.x(), q.y(), q.z()}, std::cos(0.5 * angle), count_});
+  }
+  ++count_;
+}
+
+int Balls::holding(const Box& box) const {
+  if (balls_.empty()) return -1;
+  const Eigen::Vector3d middle = box.centre();
+  const double norm = 1 + middle.squaredNorm();
+  for (const Ball& ball : balls_) {
+    const Eigen::Vector4d& q = ball.quaternion;
+    const double product = q[0] + q.tail<3>().dot(middle);
+    if (product * product < ball.cosine * ball.cosine * norm) continue;
+    // In Rodrigues coordinates the ball is one nappe of a cone's slice, hence convex: the corners decide.
+    const Corners corners(box);
+    const Array8 products = q[0] + q[1] * corners.rho[0] + q[2] * corners.rho[1] + q[3] * corners.rho[2];
+    const Array8 nearest = product < 0 ? Array8(-products) : products;
+    if ((nearest > ball.cosine * corners.norm.sqrt()).all()) return ball.index;
+  }
+  return -1;
+}
+
+}  // namespace rectilin::bounding

@@ -1,0 +1,18 @@
+// The exact frame at the end: a few linear conditions solved instead of searched for.
+#pragma once
+
+#include <vector>
+
+#include "rectilin/optim/certify.h"
+
+namespace rectilin::bounding {
+
+/// At a minimum faces are parallel to axes, r_k . v = 0, and as a rule three such conditions fix the frame. Finds them
+/// near the evaluator's incumbent, solves them by Newton's method to rounding level, and offers the frame to the
+/// evaluator, which keeps it if it is better.
+///
+/// Returns the conditions that hold at the incumbent afterwards, an independent set: three, or fewer if fewer were
+/// found, as on a surface of revolution.
+std::vector<ActiveFace> polish(Evaluator& evaluator);
+
+}  // namespace rectilin::bounding
