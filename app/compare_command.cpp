@@ -27,9 +27,9 @@ struct CompareOptions {
 /// Optimizers worth comparing where none are named: those of this list that are there.
 std::vector<std::string> default_optimizers(const Registry& registry) {
   std::vector<std::string> present;
-  for (const char* wish : {"ga", "gray-ga=ga?encoding=gray&selection=tournament", "grid", "random", "super-fibonacci", "anneal",
-                           "multistart", "axis-sweep", "hybrid", "ceres", "nlopt:GN_DIRECT_L", "nlopt:GN_CRS2_LM", "pagmo:cmaes",
-                           "pagmo:sade"}) {
+  for (const char* wish : {"ga", "gray-ga=ga?encoding=gray&selection=tournament", "grid", "random", "super-fibonacci",
+                           "anneal", "multistart", "axis-sweep", "hybrid", "ceres", "nlopt:GN_DIRECT_L",
+                           "nlopt:GN_CRS2_LM", "pagmo:cmaes", "pagmo:sade"}) {
     const std::string_view spec = split_label(wish).spec;
     for (const Registry::Entry& entry : registry.entries())
       if (entry.name == spec.substr(0, spec.find('?'))) present.push_back(wish);
@@ -92,34 +92,45 @@ int compare(CompareOptions options, const std::string& command_line) {
 void add_compare_command(CLI::App& app, int& status, int argc, const char* const* argv) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand("compare", "Compare optimizers and write a page with the result");
-  command->add_option("source", options->sources, "Mesh files, folders of them, built-in shapes (shape:NAME?key=value)")->required();
-  command->add_option("-o,--optimizers", options->optimizers,
-                      "Optimizers separated by commas or blanks; may be repeated. Each as 'rectilin optimizers' shows it, with "
-                      "parameters (ga?population=100), as a pipeline (grid+nelder-mead), and with the box it searches after an @ "
-                      "(ga@paper, ga@zone). NAME= in front gives it another name. Default: a choice of those there are")
+  command
+      ->add_option("source", options->sources, "Mesh files, folders of them, built-in shapes (shape:NAME?key=value)")
+      ->required();
+  command
+      ->add_option(
+          "-o,--optimizers", options->optimizers,
+          "Optimizers separated by commas or blanks; may be repeated. Each as 'rectilin optimizers' shows it, with "
+          "parameters (ga?population=100), as a pipeline (grid+nelder-mead), and with the box it searches after an @ "
+          "(ga@paper, ga@zone). NAME= in front gives it another name. Default: a choice of those there are")
       ->allow_extra_args(false);
-  command->add_option("-k,--runs", options->plan.runs, "Runs of each optimizer on each mesh, every one on another rotation of it")
+  command
+      ->add_option("-k,--runs", options->plan.runs,
+                   "Runs of each optimizer on each mesh, every one on another rotation of it")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  command->add_option("-b,--budget", options->plan.budget, "Evaluations a run")->check(CLI::PositiveNumber)->capture_default_str();
+  command->add_option("-b,--budget", options->plan.budget, "Evaluations a run")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   command->add_option("-s,--seed", options->plan.seed, "Seed of rotations and runs")->capture_default_str();
-  command->add_option("-d,--domain,--domains", options->domains,
-                      "Box for optimizers that search one and name none: paper, covering or zone; several, separated by commas, make "
-                      "an entry of each and a table of what the domain costs")
+  command
+      ->add_option("-d,--domain,--domains", options->domains,
+                   "Box for optimizers that search one and name none: paper, covering or zone; several, separated by "
+                   "commas, make an entry of each and a table of what the domain costs")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"paper", "covering", "zone"}))
       ->capture_default_str();
   command->add_option("-O,--out", options->out, "Folder for everything")->capture_default_str();
-  command->add_option("-c,--certificate", options->plan.certificate,
-                      "Optimizer that bounds R of each mesh; gaps are measured against its bound")
+  command
+      ->add_option("-c,--certificate", options->plan.certificate,
+                   "Optimizer that bounds R of each mesh; gaps are measured against its bound")
       ->capture_default_str();
-  command->add_option("-t,--threads", options->threads, "Threads (default: all); each run has one to itself")->check(CLI::PositiveNumber);
+  command->add_option("-t,--threads", options->threads, "Threads (default: all); each run has one to itself")
+      ->check(CLI::PositiveNumber);
   command->footer(
-      "First the optimum of each mesh is bounded by a proof; then every optimizer has the same number of evaluations, on the\n"
-      "same random rotations. Runs are kept as they finish: after Ctrl-C (exit status 1) the same command goes on. In the end\n"
-      "OUT/index.html shows gaps to the optimum, runtimes, rankings and tests; beside it stand CSV and JSON of all of that, and\n"
-      "OUT/ioh for IOHanalyzer. Pictures take gnuplot.\n"
+      "First the optimum of each mesh is bounded by a proof; then every optimizer has the same number of evaluations\n"
+      "on the same random rotations. Runs are kept as they finish: after Ctrl-C (exit status 1) the same command goes\n"
+      "on. In the end OUT/index.html shows gaps to the optimum, runtimes, rankings and tests; beside it stand CSV and\n"
+      "JSON of all of that, and OUT/ioh for IOHanalyzer. Pictures take gnuplot.\n"
       "Examples: rectilin compare shape:pyramid shape:blob --runs 5 --budget 1000\n"
       "          rectilin compare meshes/ --optimizers 'ga, ga?encoding=gray, random' --out gray\n"
       "          rectilin compare chair.off --optimizers ga,grid --domains paper,covering,zone");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <iostream>
 #include <memory>
 #include <numbers>
@@ -13,6 +14,8 @@
 #include "commands.h"
 #include "rectilin/measure/projected_area.h"
 #include "rectilin/measure/source.h"
+#include "rectilin/measure/verify.h"
+#include "rectilin/optim/certify.h"
 #include "rectilin/optim/registry.h"
 #include "rectilin/optim/run_record.h"
 #include "terminal.h"
@@ -22,7 +25,10 @@ namespace {
 
 struct MeasureOptions {
   std::vector<std::string> sources;
-  std::string optimizer = "ga";
+  std::string optimizer = Certify::kName;
+  std::optional<double> gap;
+  bool optima = false;
+  std::string proof;
   std::string domain = "covering";
   std::uint64_t seed = 1;
   std::uint64_t evaluations = Budget().evaluations;
@@ -38,9 +44,59 @@ struct Row {
   std::size_t faces = 0, directions = 0;
   double area = 0;
   RunRecord run;
+  double value_error = 0;  ///< rounding of the objective's values
+  std::optional<CertifyResult> certified;
+  Json parallel_faces;
 };
 
-Row measure_source(const std::string& source, const Optimizer& optimizer, const RunSettings& settings) {
+/// Certify, keeping what a run record has no place for.
+class CertifyInDetail final : public Optimizer {
+ public:
+  CertifyInDetail(const Certify& certify, bool prove) : certify_(certify), prove_(prove) {}
+
+  std::string name() const override { return certify_.name(); }
+  Json parameters() const override { return certify_.parameters(); }
+  Capabilities capabilities() const override { return certify_.capabilities(); }
+  void run(Evaluator& evaluator, const Chart&, Random&) const override {
+    result = certify(evaluator, certify_.options(), prove_ ? &certificate : nullptr);
+  }
+
+  mutable std::optional<CertifyResult> result;
+  mutable Certificate certificate;
+
+ private:
+  const Certify& certify_;
+  bool prove_;
+};
+
+/// For each axis the triangles parallel to it: how many, and the first few.
+Json parallel_faces(const Mesh& mesh, const Rotation& rotation) {
+  constexpr std::size_t kShown = 10;
+  Json lists = Json::array();
+  for (int k = 0; k < 3; ++k) {
+    std::size_t count = 0;
+    Json faces = Json::array();
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      const Triangle& t = mesh.triangles[i];
+      const Vector3 a = mesh.vertices[t[1]] - mesh.vertices[t[0]], b = mesh.vertices[t[2]] - mesh.vertices[t[0]];
+      const Vector3 normal = a.normalized().cross(b.normalized()).normalized();
+      if (normal.isZero() || !(std::abs(rotation.axis(k).dot(normal)) <= 1e-9)) continue;
+      if (++count <= kShown) faces.push_back(i);
+    }
+    lists.push_back({{"count", count}, {"faces", faces}});
+  }
+  return lists;
+}
+
+void write_proof(const std::string& file, const Certificate& certificate, const Mesh& mesh) {
+  if (certificate.empty()) throw MeshError(file + ": no proof, for the gap was not closed");
+  std::ofstream out(file);
+  out << rectilin::to_json(certificate, mesh_digest(mesh)).dump() << '\n';
+  if (!out.flush()) throw MeshError(file + ": cannot be written");
+}
+
+Row measure_source(const std::string& source, const Optimizer& optimizer, const RunSettings& settings,
+                   const std::string& proof) {
   Row row;
   row.name = source;
   try {
@@ -50,7 +106,16 @@ Row measure_source(const std::string& source, const Optimizer& optimizer, const 
     row.faces = loaded.mesh.triangles.size();
     row.directions = objective.vectors().size();
     row.area = objective.vectors().area();
-    row.run = run_optimizer(optimizer, objective, settings);
+    row.value_error = 3 * objective.cut_bounds().error;
+    if (const auto* certify = dynamic_cast<const Certify*>(&optimizer)) {
+      const CertifyInDetail detailed(*certify, !proof.empty());
+      row.run = run_optimizer(detailed, objective, settings);
+      row.certified = detailed.result;
+      if (row.certified) row.parallel_faces = parallel_faces(loaded.mesh, row.run.incumbent.rotation);
+      if (!proof.empty() && row.run.error.empty()) write_proof(proof, detailed.certificate, loaded.mesh);
+    } else {
+      row.run = run_optimizer(optimizer, objective, settings);
+    }
     row.error = row.run.error;
   } catch (const std::exception& e) {
     row.error = e.what();
@@ -70,6 +135,24 @@ Json to_json(const MeshReport& r) {
           {"unreferenced_vertices", r.unreferenced_vertices}};
 }
 
+const char* to_string(Optimum::Kind kind) {
+  switch (kind) {
+    case Optimum::Kind::kPoint: return "point";
+    case Optimum::Kind::kContinuum: return "continuum";
+    case Optimum::Kind::kPossible: return "possible";
+  }
+  return "";
+}
+
+Json to_json(const std::vector<Optimum>& optima) {
+  Json list = Json::array();
+  for (const Optimum& optimum : optima)
+    list.push_back({{"kind", to_string(optimum.kind)},
+                    {"rectilinearity", rectilinearity(optimum.value)},
+                    {"rotation", rectilin::to_json(optimum.rotation)}});
+  return list;
+}
+
 Json to_json(const Row& row) {
   if (!row.error.empty()) return {{"name", row.name}, {"error", row.error}};
   const RunRecord& run = row.run;
@@ -79,13 +162,18 @@ Json to_json(const Row& row) {
                {"directions", row.directions},
                {"area", row.area},
                {"rectilinearity", run.merit},
-               {"lower", certified ? Json(run.merit) : Json(nullptr)},
+               {"lower", certified ? Json(rectilinearity(run.incumbent.value + row.value_error)) : Json(nullptr)},
                {"upper", certified ? Json(rectilinearity(*run.lower)) : Json(nullptr)},
                {"rotation", rectilin::to_json(run.incumbent.rotation)}};
   const Json details = rectilin::to_json(run);
   for (const char* key : {"optimizer", "parameters", "domain", "seed", "outcome", "evaluations", "values",
                           "cuts", "smooths", "turns", "seconds", "cpu_seconds", "threads", "digest"})
     line[key] = details[key];
+  if (row.certified) {
+    line["cells"] = row.certified->cells;
+    line["parallel_faces"] = row.parallel_faces;
+    if (!row.certified->optima.empty()) line["optima"] = to_json(row.certified->optima);
+  }
   line["report"] = to_json(row.report);
   return line;
 }
@@ -119,7 +207,7 @@ class Printer {
   static std::vector<Table::Column> columns(const std::vector<std::string>& sources) {
     std::size_t widest = 0;
     for (const auto& s : sources) widest = std::max(widest, s.size());
-    return {{"name", widest}, {"faces", 8}, {"directions", 8}, {"area", 11}, {"R", 12},
+    return {{"name", widest}, {"faces", 8}, {"directions", 8}, {"area", 11}, {"R", 12}, {"at most", 12},
             {"alpha", 8}, {"beta", 8}, {"gamma", 8}, {"optimizer", 9}, {"evaluations", 8}, {"seconds", 8}};
   }
 
@@ -127,7 +215,7 @@ class Printer {
     const Eigen::Vector3d degrees =
         euler_from_rotation(row.run.incumbent.rotation) * (180 / std::numbers::pi);
     return {row.name, std::to_string(row.faces), std::to_string(row.directions), general(row.area, 6),
-            fixed(row.run.merit, 10), fixed(degrees[0], 3), fixed(degrees[1], 3), fixed(degrees[2], 3),
+            fixed(row.run.merit, 10), row.run.lower ? fixed(rectilinearity(*row.run.lower), 10) : "-", fixed(degrees[0], 3), fixed(degrees[1], 3), fixed(degrees[2], 3),
             row.run.optimizer, std::to_string(row.run.costs.evaluations()), fixed(row.run.seconds, 3)};
   }
 
@@ -146,8 +234,19 @@ std::vector<std::string> lines_of(std::istream& in) {
   return lines;
 }
 
+/// The optimizer asked for, with the options that only Certify has.
+std::unique_ptr<Optimizer> make_optimizer(const MeasureOptions& options) {
+  if (!options.gap && !options.optima && options.proof.empty()) return builtin_optimizers().make(options.optimizer);
+  Spec spec = Spec::parse(options.optimizer);
+  if (spec.name != Certify::kName)
+    throw ParameterError("--gap, --optima and --proof need the optimizer " + std::string(Certify::kName));
+  if (options.gap) spec.settings["gap"] = *options.gap;
+  if (options.optima) spec.settings["optima"] = true;
+  return builtin_optimizers().make(spec.name, spec.settings);
+}
+
 int measure(const MeasureOptions& options) {
-  const auto optimizer = builtin_optimizers().make(options.optimizer);
+  const auto optimizer = make_optimizer(options);
   RunSettings settings;
   settings.budget.evaluations = options.evaluations;
   settings.seed = options.seed;
@@ -161,6 +260,7 @@ int measure(const MeasureOptions& options) {
   }
   const std::vector<std::string> sources = expand_folders(given);
   if (sources.empty()) throw MeshError("the list of files is empty");
+  if (!options.proof.empty() && sources.size() > 1) throw ParameterError("--proof is for one mesh at a time");
 
   std::optional<tbb::global_control> limit;
   if (options.threads > 0)
@@ -182,7 +282,7 @@ int measure(const MeasureOptions& options) {
               tbb::filter_mode::parallel,
               [&](std::size_t i) {
                 auto row = std::make_shared<Row>();
-                tbb::this_task_arena::isolate([&] { *row = measure_source(sources[i], *optimizer, settings); });
+                tbb::this_task_arena::isolate([&] { *row = measure_source(sources[i], *optimizer, settings, options.proof); });
                 return row;
               }) &
           tbb::make_filter<std::shared_ptr<Row>, void>(
@@ -202,6 +302,11 @@ void add_measure_command(CLI::App& app, int& status) {
   command->add_option("-o,--optimizer", options->optimizer,
                       "Optimizer, with parameters: ga?population=100 (see 'rectilin optimizers')")
       ->capture_default_str();
+  command->add_option("-g,--gap", options->gap, "Width to which certify encloses R (default: 1e-6)")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("-p,--proof", options->proof,
+                      "File for a proof of the bounds, one mesh; 'rectilin verify' checks it");
+  command->add_flag("--optima", options->optima, "Find all poses within the gap (shown with --json)");
   command->add_option("-d,--domain", options->domain,
                       "Box that optimizers on a chart search: paper ([0,90]^3 degrees, three quarters of all "
                       "orientations), covering ([0,180]x[0,90]^2, all), zone (Rodrigues cube, all)")
@@ -215,6 +320,7 @@ void add_measure_command(CLI::App& app, int& status) {
   command->footer(
       "The angles printed are the paper's alpha, beta, gamma (eqs. 35-37) in degrees, of the rotation that takes\n"
       "the mesh to its best pose. A file that cannot be measured costs its own row and the exit status (1).\n"
+      "R is that of the pose found; no pose has more than 'at most', where an optimizer proves it.\n"
       "Examples: rectilin measure chair.off\n"
       "          rectilin measure --json meshes/ > results.jsonl\n"
       "          rectilin measure --optimizer grid --domain zone 'shape:cylinder?sides=64'");

@@ -11,6 +11,7 @@
 #include "catch.h"
 #include "rectilin/measure/flat_sum.h"
 #include "rectilin/measure/normal_tree.h"
+#include "rectilin/measure/projected_area.h"
 
 using namespace rectilin;
 
@@ -222,16 +223,66 @@ TEST_CASE("tree bits depend neither on threads nor on the other directions", "[n
   for (std::size_t k = 0; k < u.size(); k += 11) CHECK(values(tree, {u[k]})[0] == h[k]);
 }
 
-TEST_CASE("a tree does not need the vectors it was built from", "[normal_tree]") {
-  auto area = std::make_unique<AreaVectors>(make_vectors(gaussian(1000, 9)));
-  const NormalTree tree(*area);
-  const auto before = values(tree, {Vector3::UnitX()});
-  area.reset();
-  CHECK(values(tree, {Vector3::UnitX()}) == before);
+TEST_CASE("a direction across which nearly all vectors lie gets the flat sum", "[normal_tree]") {
+  const Vector3 axis = Vector3(0.3, 0.5, 0.7).normalized();
+  const Vector3 p = axis.unitOrthogonal(), q = axis.cross(p);
+  for (const double slant : {0.0, 1e-12}) {  // a cylinder, a cone
+    Directions sides;
+    constexpr int kSides = 100000;
+    for (int i = 0; i < kSides; ++i) {
+      const double angle = std::numbers::pi * i / kSides;
+      sides.push_back(std::cos(angle) * p + std::sin(angle) * q + slant * axis);
+    }
+    const AreaVectors area = make_vectors(sides);
+    const NormalTree tree(area);
+    const FlatSum flat(area);
+    Directions u = gaussian(40, 11);
+    for (std::size_t k = 0; k < u.size(); k += 3) u[k] = axis;
+    const auto h = values(tree, u);
+    const auto g = cuts(tree, u);
+    std::vector<double> flat_values(u.size());
+    Directions flat_cuts(u.size());
+    flat.values(u, flat_values);
+    flat.cuts(u, flat_cuts);
+    for (std::size_t k = 0; k < u.size(); ++k) {
+      const double exact = exact_value(sides, u[k]);
+      const double bound = NormalTree::kErrorBound * area.total * u[k].norm();
+      CHECK(std::abs(h[k] - exact) <= bound);
+      CHECK(std::abs(g[k].dot(u[k]) - exact) <= bound);
+      if (k % 3 != 0) continue;
+      CHECK(h[k] == flat_values[k]);
+      CHECK(g[k] == flat_cuts[k]);
+      CHECK(values(tree, {u[k]})[0] == h[k]);  // whatever else is in the call
+    }
+  }
 }
 
 TEST_CASE("tree and vectors take at most two and a half times the vectors", "[normal_tree]") {
   const AreaVectors area = make_vectors(gaussian(100000, 10));
   CHECK(static_cast<double>(NormalTree(area).bytes()) <=
         1.5 * 24 * static_cast<double>(area.size()));
+}
+
+TEST_CASE("the objective's tree and flat sum agree, each in any batch",
+          "[normal_tree][projected_area]") {
+  const AreaVectors vectors = make_vectors(ellipsoid(24));
+  Random random(12);
+  std::vector<Rotation> rotations(40);
+  for (Rotation& rotation : rotations) rotation = random_rotation(random);
+  const auto all = [&](Evaluation evaluation) {
+    const ProjectedArea objective(vectors, "mesh", evaluation);
+    std::vector<double> values(rotations.size());
+    objective.values(rotations, values);
+    for (std::size_t i = 0; i < rotations.size(); i += 7) {
+      double one = 0;
+      objective.values({&rotations[i], 1}, {&one, 1});
+      CHECK(one == values[i]);
+    }
+    return values;
+  };
+  const auto tree = all(Evaluation::kTree), flat = all(Evaluation::kFlat);
+  // Three sums, each with an error of kErrorBound S at most, from either side.
+  for (std::size_t i = 0; i < tree.size(); ++i)
+    CHECK(std::abs(tree[i] - flat[i]) <= 6 * NormalTree::kErrorBound);
+  CHECK(all(Evaluation::kAuto) == (NormalTree::worthwhile(vectors.size()) ? tree : flat));
 }

@@ -19,10 +19,9 @@ extern char** environ;
 namespace rectilin {
 namespace {
 
-constexpr std::array<const char*, LineStyle::kColours> kPalette = {
-    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#b5a900"};
-constexpr std::array<const char*, LineStyle::kDashes> kDashes = {
-    "solid", "(9,4)", "(2,3)", "(9,3,2,3)", "(16,4)", "(5,3,5,3,1,3)"};
+constexpr std::array<const char*, LineStyle::kColours> kPalette = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                                                   "#e69f00", "#56b4e9", "#000000", "#b5a900"};
+constexpr std::array<const char*, LineStyle::kDashes> kDashes = {"", "9,4", "2,3", "9,3,2,3", "16,4", "5,3,5,3,1,3"};
 
 constexpr std::size_t kLegend = 26, kPanelTitle = 30, kRowName = 40;  // characters that there is room for
 
@@ -42,15 +41,17 @@ std::string shortened(const std::string& text, std::size_t longest) {
 
 std::string line(const LineStyle& style, double width) {
   std::ostringstream text;
-  text << "lc rgb '" << hex_colour(style.colour) << "' lw " << width << " dt " << kDashes[style.dash % LineStyle::kDashes];
+  const std::string dashes = dash_pattern(style.dash);
+  text << "lc rgb '" << hex_colour(style.colour) << "' lw " << width << " dt "
+       << (dashes.empty() ? "solid" : "(" + dashes + ")");
   return text.str();
 }
 
-std::string terminal(int width, int height, int font) {
+std::string terminal(Figure::Size size, int font) {
   std::ostringstream text;
   text << "# Draws @NAME@.svg from @NAME@.csv: gnuplot @NAME@.gp\n"
        << "reset session\nset encoding utf8\n"
-       << "set terminal svg size " << width << ',' << height << " dynamic font 'sans-serif," << font
+       << "set terminal svg size " << size.width << ',' << size.height << " dynamic font 'sans-serif," << font
        << "' background rgb 'white' name 'figure'\n"
        << "set output '@NAME@.svg'\n"
        << "set datafile separator comma\nset datafile missing ''\n";
@@ -59,13 +60,16 @@ std::string terminal(int width, int height, int font) {
 
 std::string axis(const char* name, const Axis& a, bool small) {
   std::ostringstream text;
-  if (!a.label.empty()) text << "set " << name << "label " << quoted(a.label) << " noenhanced\n";
+  if (!a.label.empty())
+    text << "set " << name << "label " << quoted(a.label) << " noenhanced"
+         << (*name == 'x' ? " offset 0,0.5\n" : "\n");
   else text << "unset " << name << "label\n";
   text << (a.logarithmic ? "set" : "unset") << " logscale " << name << "\n";
   if (a.logarithmic) text << "set format " << name << " '10^{%T}'\n";
   else text << "set format " << name << " '%g'\n";
   const double decades = a.logarithmic && a.upper > a.lower ? std::log10(a.upper / a.lower) : 0;
-  if (small && decades > 4.5) text << "set " << name << "tics 1e" << (decades > 9 ? 4 : 2) << "\nunset m" << name << "tics\n";
+  if (small && decades > 4.5)
+    text << "set " << name << "tics 1e" << (decades > 9 ? 4 : 2) << "\nunset m" << name << "tics\n";
   else if (decades > 7) text << "set " << name << "tics 100\nset m" << name << "tics 2\n";
   else text << "set " << name << "tics autofreq\nset m" << name << "tics default\n";
   if (a.upper > a.lower) text << "set " << name << "range [" << a.lower << ':' << a.upper << "]\n";
@@ -80,11 +84,13 @@ std::string plot(const Panel& panel, double width) {
   for (const auto& band : panel.bands) {
     next();
     text << "'@NAME@.csv' skip 1 using " << band.x << ':' << band.low << ':' << band.high
-         << " with filledcurves fc rgb '" << hex_colour(band.style.colour) << "' fs transparent solid 0.2 noborder notitle";
+         << " with filledcurves fc rgb '" << hex_colour(band.style.colour)
+         << "' fs transparent solid 0.2 noborder notitle";
   }
   for (const auto& curve : panel.curves) {
     next();
-    text << "'@NAME@.csv' skip 1 using " << curve.x << ':' << curve.y << " with " << (curve.steps ? "steps " : "lines ")
+    text << "'@NAME@.csv' skip 1 using " << curve.x << ':' << curve.y << " with "
+         << (curve.steps ? "steps " : "lines ")
          << (curve.faint ? "lc rgb '#c8c8c8' lw 1 dt solid" : line(curve.style, width));
     if (curve.label.empty()) text << " notitle";
     else text << " title " << quoted(shortened(curve.label, kLegend)) << " noenhanced";
@@ -98,22 +104,30 @@ int legend_columns(const Panel& panel) {
   return std::ranges::any_of(panel.curves, [](const auto& curve) { return curve.label.size() > 14; }) ? 2 : 3;
 }
 
-std::string single(const std::string& title, const Panel& panel) {
+int rows_of(std::size_t count, int columns) { return (static_cast<int>(count) + columns - 1) / columns; }
+
+Figure::Size size_of(const std::vector<Panel>& panels, int columns) {
+  if (panels.size() > 1) return {240 * columns, 40 + 180 * rows_of(panels.size(), columns)};
+  const Panel& panel = panels.front();
+  return {520, 370 + 18 * rows_of(panel.curves.size(), legend_columns(panel))};
+}
+
+std::string single(const std::string& title, const Panel& panel, Figure::Size size) {
   const int columns = legend_columns(panel);
-  const int lines = static_cast<int>((panel.curves.size() + columns - 1) / columns);
   std::ostringstream text;
-  text << terminal(520, 350 + 18 * lines, 13) << "set title " << quoted(title) << " noenhanced\n"
-       << "set key bmargin center horizontal Left reverse samplen 3 maxcols " << columns << " noenhanced\n"
+  text << terminal(size, 13) << "set title " << quoted(title) << " noenhanced\n"
+       << "set key bmargin center horizontal Left reverse samplen 2.5 font ',11' maxcols " << columns
+       << " noenhanced\n"
        << "set grid lc rgb '#e0e0e0' lw 1\nset border 3\nset tics nomirror\n"
        << axis("x", panel.x, false) << axis("y", panel.y, false) << plot(panel, 2.2);
   return text.str();
 }
 
-std::string grid(const std::string& title, const std::vector<Panel>& panels, int columns) {
-  const int rows = static_cast<int>((panels.size() + columns - 1) / columns);
+std::string grid(const std::string& title, const std::vector<Panel>& panels, int columns, Figure::Size size) {
   std::ostringstream text;
-  text << terminal(240 * columns, 40 + 180 * rows, 12) << "set multiplot layout " << rows << ',' << columns << " title "
-       << quoted(title) << " noenhanced\nunset key\nset grid lc rgb '#e8e8e8' lw 1\nset border 3\nset tics nomirror\n";
+  text << terminal(size, 12) << "set multiplot layout " << rows_of(panels.size(), columns) << ',' << columns
+       << " title " << quoted(title)
+       << " noenhanced\nunset key\nset grid lc rgb '#e8e8e8' lw 1\nset border 3\nset tics nomirror\n";
   for (const Panel& panel : panels)
     text << "set title " << quoted(shortened(panel.title, kPanelTitle)) << " noenhanced offset 0,-0.5\n"
          << axis("x", panel.x, true) << axis("y", panel.y, true) << plot(panel, 2);
@@ -121,28 +135,48 @@ std::string grid(const std::string& title, const std::vector<Panel>& panels, int
   return text.str();
 }
 
-/// Each cell is a coloured box with its number, in black on light colours and white on dark ones.
-std::string heat_map(const HeatMap& map) {
+/// Room round a heat map for names and scale.
+struct Margins {
+  int left, bottom, right = 95, top = 42;
+};
+
+Margins margins(const HeatMap& map) {
   const auto longest = [](const std::vector<std::string>& names) {
     std::size_t length = 1;
     for (const std::string& name : names) length = std::max(length, std::min(name.size(), kRowName));
     return static_cast<int>(length);
   };
-  const int left = 8 * longest(map.rows) + 20, bottom = 5 * longest(map.columns) + 30;
-  const int width = left + 110 + 56 * static_cast<int>(map.columns.size());
-  const int height = bottom + 60 + 30 * static_cast<int>(map.rows.size());
+  return {8 * longest(map.rows) + 20, 5 * longest(map.columns) + 30};
+}
+
+Figure::Size size_of(const HeatMap& map) {
+  const Margins margin = margins(map);
+  return {margin.left + margin.right + 15 + 56 * static_cast<int>(map.columns.size()),
+          margin.bottom + margin.top + 18 + 30 * static_cast<int>(map.rows.size())};
+}
+
+/// Each cell is a coloured box with its number, in black on light colours and white on dark ones.
+std::string heat_map(const HeatMap& map, Figure::Size size) {
+  const Margins margin = margins(map);
   std::ostringstream text;
-  text << terminal(width, height, 13) << "set title " << quoted(map.title) << " noenhanced\nunset key\n"
-       << "set lmargin at screen " << static_cast<double>(left) / width << "\nset rmargin at screen "
-       << 1 - 95.0 / width << "\nset bmargin at screen " << static_cast<double>(bottom) / height
-       << "\nset tmargin at screen " << 1 - 42.0 / height << "\n"
+  text << terminal(size, 13) << "set title " << quoted(map.title) << " noenhanced\nunset key\n"
+       << "set lmargin at screen " << static_cast<double>(margin.left) / size.width << "\nset rmargin at screen "
+       << 1 - static_cast<double>(margin.right) / size.width << "\nset bmargin at screen "
+       << static_cast<double>(margin.bottom) / size.height << "\nset tmargin at screen "
+       << 1 - static_cast<double>(margin.top) / size.height << "\n"
        << "set palette defined (0 '#fff7d6', 1 '#f5c767', 2 '#d98b4a', 3 '#8f4a63', 4 '#2e1f54')\n"
+       << "set colorbox user origin screen " << 1 - (margin.right - 12.0) / size.width << ','
+       << static_cast<double>(margin.bottom) / size.height << " size screen " << 14.0 / size.width << ','
+       << 1 - static_cast<double>(margin.bottom + margin.top) / size.height << "\n"
        << "set cblabel " << quoted(map.scale) << " noenhanced\nset border lc rgb '#808080'\n"
        << "set xrange [-0.5:" << static_cast<double>(map.columns.size()) - 0.5 << "]\nset yrange ["
-       << static_cast<double>(map.rows.size()) - 0.5 << ":-0.5]\nset tics scale 0 textcolor rgb 'black' noenhanced\nset xtics rotate by 40 right (";
-  for (std::size_t i = 0; i < map.columns.size(); ++i) text << (i > 0 ? ", " : "") << quoted(shortened(map.columns[i], kRowName)) << ' ' << i;
+       << static_cast<double>(map.rows.size()) - 0.5
+       << ":-0.5]\nset tics scale 0 textcolor rgb 'black' noenhanced\nset xtics rotate by 40 right (";
+  for (std::size_t i = 0; i < map.columns.size(); ++i)
+    text << (i > 0 ? ", " : "") << quoted(shortened(map.columns[i], kRowName)) << ' ' << i;
   text << ")\nset ytics (";
-  for (std::size_t i = 0; i < map.rows.size(); ++i) text << (i > 0 ? ", " : "") << quoted(shortened(map.rows[i], kRowName)) << ' ' << i;
+  for (std::size_t i = 0; i < map.rows.size(); ++i)
+    text << (i > 0 ? ", " : "") << quoted(shortened(map.rows[i], kRowName)) << ' ' << i;
   text << ")\n";
   double least = INFINITY, largest = -INFINITY;
   for (const auto& row : map.values)
@@ -180,11 +214,15 @@ std::string first_message(const std::filesystem::path& file) {
 
 std::string hex_colour(int colour) { return kPalette[static_cast<std::size_t>(colour) % kPalette.size()]; }
 
+std::string dash_pattern(int dash) { return kDashes[static_cast<std::size_t>(dash) % kDashes.size()]; }
+
 Figure::Figure(std::string title, Csv data, std::vector<Panel> panels, int columns)
     : data_(std::move(data)),
-      commands_(panels.size() == 1 ? single(title, panels.front()) : grid(title, panels, columns)) {}
+      size_(size_of(panels, columns)),
+      commands_(panels.size() == 1 ? single(title, panels.front(), size_) : grid(title, panels, columns, size_)) {}
 
-Figure::Figure(Csv data, const HeatMap& map) : data_(std::move(data)), commands_(heat_map(map)) {}
+Figure::Figure(Csv data, const HeatMap& map)
+    : data_(std::move(data)), size_(size_of(map)), commands_(heat_map(map, size_)) {}
 
 void Figure::write(const std::filesystem::path& folder, const std::string& name) const {
   data_.write(folder / (name + ".csv"));
@@ -209,7 +247,8 @@ void draw(const std::filesystem::path& folder, const std::string& name) {
                                         : std::string("gnuplot: ") + std::strerror(problem));
   }
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {}
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
   const std::string message = WIFEXITED(status) && WEXITSTATUS(status) == 0 ? "" : first_message(folder / log);
   std::filesystem::remove(folder / log);
   if (!message.empty()) throw FigureError("gnuplot: " + message);

@@ -16,13 +16,12 @@ table { border-collapse: collapse; font-size: .875rem; font-variant-numeric: tab
 th, td { padding: .2rem .6rem; text-align: right; white-space: nowrap; border-bottom: 1px solid #e6e6e6; }
 th { border-bottom: 2px solid #888; }
 th:first-child, td:first-child { text-align: left; padding-left: 0; }
-.swatch { display: inline-block; width: .8em; height: .8em; margin-right: .4em; border-radius: 2px; }
+.line { width: 28px; height: 9px; margin-right: .5em; vertical-align: middle; }
 .best { font-weight: 700; }
 .none { color: #767676; }
 figure { margin: .75rem 0; }
-figure img { display: block; width: 100%; max-width: 68rem; height: auto; }
+figure img { display: block; width: 100%; height: auto; }
 figure.wide { overflow-x: auto; }
-figure.wide img { min-width: 40rem; }
 figcaption { font-size: .875rem; color: #444; }
 .pair { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 25rem), 1fr)); gap: 0 1.5rem; }
 summary { cursor: pointer; color: #0050a0; margin: .5rem 0; }
@@ -32,7 +31,7 @@ pre { overflow-x: auto; background: #f5f5f5; padding: .75rem; font-size: .8rem; 
   body { max-width: none; font-size: 10pt; padding: 0; }
   figure, tr { break-inside: avoid; }
   .scroll, figure.wide { overflow: visible; }
-  figure.wide img { min-width: 0; }
+  figure.wide img { min-width: 0 !important; }
   .pair { grid-template-columns: 1fr 1fr; }
   table { font-size: 7.5pt; }
   th, td { padding: .1rem .3rem; white-space: normal; }
@@ -54,12 +53,23 @@ std::string escape(std::string_view text) {
   std::string result;
   for (const char c : text) {
     switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      case '\'': result += "&#39;"; break;
-      default: result += c;
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      case '\'':
+        result += "&#39;";
+        break;
+      default:
+        result += c;
     }
   }
   return result;
@@ -83,19 +93,26 @@ std::string link(const std::string& target, const std::string& text) {
   return "<a href=\"" + escape(target) + "\">" + escape(text) + "</a>";
 }
 
-std::string picture(const std::string& svg, const std::string& caption, const std::string& more, bool wide) {
-  return std::string("<figure") + (wide ? " class=\"wide\"" : "") + "><a href=\"" + escape(svg) + "\"><img src=\"" +
-         escape(svg) + "\" alt=\"" + escape(caption) + "\"></a><figcaption>" + escape(caption) + " " + more +
-         "</figcaption></figure>\n";
+std::string picture(const std::string& svg, const std::string& caption, const std::string& more, int width) {
+  constexpr int kFitsPhones = 560;  // at half its size the text is still legible
+  const bool wide = width > kFitsPhones;
+  const std::string style = "max-width:" + std::to_string(width * 6 / 5) + "px" +
+                            (wide ? ";min-width:" + std::to_string(width * 4 / 5) + "px" : "");
+  return std::string("<figure") + (wide ? " class=\"wide\"" : "") + "><a href=\"" + escape(svg) + "\"><img style=\"" +
+         style + "\" src=\"" + escape(svg) + "\" alt=\"" + escape(caption) + "\"></a><figcaption>" + escape(caption) +
+         " " + more + "</figcaption></figure>\n";
 }
 
 std::string side_by_side(const std::string& html) { return "<div class=\"pair\">\n" + html + "</div>\n"; }
 
 std::string page(const std::string& title, const std::string& body) {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+  return "<!DOCTYPE html>\n"
+         "<html lang=\"en\">\n"
+         "<head>\n"
+         "<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-         escape(title) + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<h1>" + escape(title) + "</h1>\n" +
-         body + "<script>" + kOpenForPrint + "</script>\n</body>\n</html>\n";
+         escape(title) + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<h1>" + escape(title) +
+         "</h1>\n" + body + "<script>" + kOpenForPrint + "</script>\n</body>\n</html>\n";
 }
 
 }  // namespace rectilin::html

@@ -27,8 +27,9 @@ std::string paragraph(const std::string& html);
 std::string details(const std::string& summary, const std::string& html);
 std::string link(const std::string& target, const std::string& text);
 
-/// A picture with a caption. Wide ones scroll on small screens instead of shrinking.
-std::string picture(const std::string& svg, const std::string& caption, const std::string& more, bool wide);
+/// A picture with a caption, at most a little larger than `width` pixels. Wide ones scroll on small screens instead
+/// of shrinking.
+std::string picture(const std::string& svg, const std::string& caption, const std::string& more, int width);
 /// Things side by side where there is room.
 std::string side_by_side(const std::string& html);
 

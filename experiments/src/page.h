@@ -12,6 +12,7 @@ namespace rectilin {
 /// A picture of the page: SVG, CSV and gnuplot files of this name stand in the folder plots/.
 struct PageFigure {
   std::string name, caption;
+  int width = 0;  ///< natural, in pixels
 };
 
 /// What the page is made of besides numbers.

@@ -11,7 +11,8 @@ std::vector<std::string> split_list(const std::string& text) {
   std::vector<std::string> items(1);
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool blank = std::isspace(static_cast<unsigned char>(text[i])) != 0;
-    const bool in_number = i + 1 < text.size() && std::string_view("+-.0123456789").find(text[i + 1]) != std::string_view::npos;
+    const bool in_number =
+        i + 1 < text.size() && std::string_view("+-.0123456789").find(text[i + 1]) != std::string_view::npos;
     if (blank || (text[i] == ',' && !in_number)) items.emplace_back();
     else items.back() += text[i];
   }
@@ -73,16 +74,16 @@ void check(const Plan& plan) {
 Json to_json(const Plan& plan) {
   Json entries = Json::array();
   for (const Entry& e : plan.entries) entries.push_back({{"label", e.label}, {"spec", e.spec}, {"domain", e.domain}});
-  return {{"meshes", plan.meshes}, {"optimizers", entries},  {"runs", plan.runs},
-          {"budget", plan.budget}, {"seed", plan.seed},      {"certificate", plan.certificate}};
+  return {{"meshes", plan.meshes}, {"optimizers", entries}, {"runs", plan.runs},
+          {"budget", plan.budget}, {"seed", plan.seed},     {"certificate", plan.certificate}};
 }
 
 Plan plan_from_json(const Json& json) {
   Plan plan;
   plan.meshes = json.at("meshes").get<std::vector<std::string>>();
   for (const Json& e : json.at("optimizers"))
-    plan.entries.push_back({e.at("label").get<std::string>(), e.at("spec").get<std::string>(),
-                            e.at("domain").get<std::string>()});
+    plan.entries.push_back(
+        {e.at("label").get<std::string>(), e.at("spec").get<std::string>(), e.at("domain").get<std::string>()});
   json.at("runs").get_to(plan.runs);
   json.at("budget").get_to(plan.budget);
   json.at("seed").get_to(plan.seed);
@@ -93,7 +94,8 @@ Plan plan_from_json(const Json& json) {
 std::string difference(const Plan& stored, const Plan& asked) {
   const Json a = to_json(stored), b = to_json(asked);
   for (const auto& [key, value] : a.items())
-    if (value != b[key]) return value.is_array() ? "other " + key : key + " " + value.dump() + ", not " + b[key].dump();
+    if (value != b[key])
+      return value.is_array() ? "other " + key : key + " " + value.dump() + ", not " + b[key].dump();
   return "no difference";
 }
 

@@ -71,7 +71,7 @@ Panel convergence_axes(const Results& results, std::size_t mesh, Cost unit) {
   Panel panel;
   const std::vector<double> grid = cost_grid(runs, unit);
   panel.x = {unit_name(unit), true, grid.empty() ? 0 : grid.front(), grid.empty() ? 0 : grid.back()};
-  panel.y = {"gap", true, std::pow(10, std::floor(std::log10(least))), 2};
+  panel.y = {"gap", true, least / 3, 2};
   return panel;
 }
 
@@ -170,8 +170,8 @@ Plot band_plot(const Results& results, std::size_t mesh, Cost unit) {
   return {convergence_name(results, mesh, unit, "bands"),
           "The same, one panel an optimizer: median and the band from the 10 % to the 90 % quantile; grey: the "
           "medians of the others.",
-          Figure(results.meshes[mesh].title + ": gap against " + unit_name(unit), convergence_table(results, mesh, unit),
-                 panels, std::min(4, std::max(2, entries)))};
+          Figure(results.meshes[mesh].title + ": gap against " + unit_name(unit),
+                 convergence_table(results, mesh, unit), panels, std::min(4, std::max(2, entries)))};
 }
 
 Plot runtime_plot(const Results& results, Cost unit) {
@@ -181,9 +181,11 @@ Plot runtime_plot(const Results& results, Cost unit) {
   std::vector<std::vector<double>> costs;
   for (std::size_t e = 0; e < results.plan.entries.size(); ++e) costs.push_back(runtimes(results, e, unit));
   Axis x{unit_name(unit), true, grid.empty() ? 0 : grid.front(), grid.empty() ? 0 : grid.back()};
-  Plot plot = distribution_plot(results, "runtimes-" + unit_name(unit), "Runtimes over all meshes and targets", x, grid, costs);
-  plot.caption = "Share of all pairs of a run and a target (gaps of 10^-0.5, 10^-1, ... 10^-9) reached within so many " +
-                 unit_name(unit) + ".";
+  Plot plot = distribution_plot(results, "runtimes-" + unit_name(unit), "Runtimes over all meshes and targets", x,
+                                grid, costs);
+  plot.caption =
+      "Share of all pairs of a run and a target (gaps of 10^-0.5, 10^-1, ... 10^-9) reached within so many " +
+      unit_name(unit) + ".";
   return plot;
 }
 

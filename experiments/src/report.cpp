@@ -30,15 +30,28 @@ std::vector<std::string> with_rotation(std::vector<std::string> columns) {
 }
 
 Csv runs_table(const Results& results) {
-  Csv table(with_rotation({"mesh", "optimizer", "domain", "run", "seed", "outcome", "error", "rectilinearity", "gap", "evaluations",
-                           "values", "cuts", "smooths", "turns", "seconds", "cpu_seconds", "digest"}));
+  Csv table(with_rotation({"mesh", "optimizer", "domain", "run", "seed", "outcome", "error", "rectilinearity", "gap",
+                           "evaluations", "values", "cuts", "smooths", "turns", "seconds", "cpu_seconds", "digest"}));
   for (const RunResult& run : results.runs) {
     const auto text = [&](const char* key) { return run.record.at(key).get<std::string>(); };
     const auto number = [&](const char* key) { return run.record.at(key).get<double>(); };
-    std::vector<Csv::Cell> row = {results.meshes[run.mesh].name, results.plan.entries[run.entry].label, text("domain"), run.run + 1,
-                                  std::to_string(run.record.at("seed").get<std::uint64_t>()), text("outcome"), text("error"),
-                                  run.merit, run.trace.final_gap(), run.evaluations, number("values"), number("cuts"),
-                                  number("smooths"), number("turns"), run.seconds, run.cpu_seconds, text("digest")};
+    std::vector<Csv::Cell> row = {results.meshes[run.mesh].name,
+                                  results.plan.entries[run.entry].label,
+                                  text("domain"),
+                                  run.run + 1,
+                                  std::to_string(run.record.at("seed").get<std::uint64_t>()),
+                                  text("outcome"),
+                                  text("error"),
+                                  run.merit,
+                                  run.trace.final_gap(),
+                                  run.evaluations,
+                                  number("values"),
+                                  number("cuts"),
+                                  number("smooths"),
+                                  number("turns"),
+                                  run.seconds,
+                                  run.cpu_seconds,
+                                  text("digest")};
     const std::vector<Csv::Cell> rotation = rotation_cells(run.rotation);
     row.insert(row.end(), rotation.begin(), rotation.end());
     table.row(row);
@@ -47,13 +60,13 @@ Csv runs_table(const Results& results) {
 }
 
 Csv meshes_table(const Results& results) {
-  Csv table(with_rotation({"mesh", "error", "faces", "directions", "area", "lower", "upper", "certificate_evaluations",
-                           "certificate_seconds"}));
+  Csv table(with_rotation({"mesh", "error", "faces", "directions", "area", "lower", "upper",
+                           "certificate_evaluations", "certificate_seconds"}));
   for (const MeshResult& mesh : results.meshes) {
     const bool known = mesh.error.empty();
     std::vector<Csv::Cell> row = {mesh.name, mesh.error};
-    for (const double x : {static_cast<double>(mesh.faces), static_cast<double>(mesh.directions), mesh.area, mesh.lower, mesh.upper,
-                           mesh.evaluations, mesh.seconds})
+    for (const double x : {static_cast<double>(mesh.faces), static_cast<double>(mesh.directions), mesh.area,
+                           mesh.lower, mesh.upper, mesh.evaluations, mesh.seconds})
       row.push_back(known ? x : NAN);
     for (const Csv::Cell& cell : rotation_cells(mesh.rotation)) row.push_back(known ? cell : Csv::Cell(""));
     table.row(row);
@@ -77,23 +90,20 @@ Csv targets_table(const Results& results, const Summary& summary) {
 Csv tests_table(const Results& results, const Summary& summary) {
   Csv table({"mesh", "first", "second", "u", "superiority_of_first", "p", "p_holm"});
   for (const PairTest& t : summary.tests)
-    table.row({results.meshes[t.mesh].name, results.plan.entries[t.first].label, results.plan.entries[t.second].label, t.test.u,
-               t.test.superiority, t.test.p, t.corrected});
+    table.row({results.meshes[t.mesh].name, results.plan.entries[t.first].label, results.plan.entries[t.second].label,
+               t.test.u, t.test.superiority, t.test.p, t.corrected});
   return table;
 }
 
 /// Writes figures as they are asked for and draws them all at the end.
 class Gallery {
  public:
-  explicit Gallery(fs::path folder) : folder_(std::move(folder)) {
-    fs::remove_all(folder_);  // pictures of an earlier state
-    fs::create_directories(folder_);
-  }
+  explicit Gallery(fs::path folder) : folder_(std::move(folder)) { fs::create_directories(folder_); }
 
   PageFigure add(const Plot& plot) {
     plot.figure.write(folder_, plot.name);
     names_.push_back(plot.name);
-    return {plot.name, plot.caption};
+    return {plot.name, plot.caption, plot.figure.width()};
   }
 
   std::vector<std::string> draw_all() const {
@@ -146,7 +156,6 @@ std::vector<std::string> write_report(const fs::path& folder) {
   targets_table(results, summary).write(folder / "ert.csv");
   tests_table(results, summary).write(folder / "tests.csv");
   write_text(folder / "summary.json", to_json(summary, results).dump(1) + '\n');
-  fs::remove_all(folder / "ioh");
   export_ioh(results, folder / "ioh");
 
   Gallery gallery(folder / "plots");

@@ -67,7 +67,8 @@ Trace trace_from_json(const Json& json, const MeshResult& mesh) {
   trace.worst = mesh.upper - rectilinearity(std::sqrt(3.0));
   json.at("evaluations").get_to(trace.evaluations);
   json.at("seconds").get_to(trace.seconds);
-  for (const Json& merit : json.at("merit")) trace.gap.push_back(std::max(mesh.upper - merit.get<double>(), mesh.width()));
+  for (const Json& merit : json.at("merit"))
+    trace.gap.push_back(std::max(mesh.upper - merit.get<double>(), mesh.width()));
   return trace;
 }
 
@@ -136,7 +137,8 @@ Results load_results(const fs::path& folder) {
     mesh.title = title[i];
     results.meshes.push_back(std::move(mesh));
   }
-  for (Json& line : recover_journal(folder / "runs.jsonl")) results.runs.push_back(run_from_json(std::move(line), results));
+  for (Json& line : recover_journal(folder / "runs.jsonl"))
+    results.runs.push_back(run_from_json(std::move(line), results));
   std::ranges::sort(results.runs, {}, [](const RunResult& r) { return std::tuple(r.mesh, r.entry, r.run); });
   std::vector<double> best;  // a run can beat the rotation that came with the certificate
   for (const MeshResult& mesh : results.meshes) best.push_back(mesh.lower);

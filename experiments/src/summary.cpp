@@ -124,9 +124,8 @@ Json to_json(const std::vector<RunningTime>& times) {
 
 Json to_json(const MeshResult& mesh) {
   if (!mesh.error.empty()) return {{"name", mesh.name}, {"error", mesh.error}};
-  return {{"name", mesh.name},           {"faces", mesh.faces}, {"directions", mesh.directions},
-          {"area", mesh.area},           {"lower", mesh.lower}, {"upper", mesh.upper},
-          {"rotation", to_json(mesh.rotation)}};
+  return {{"name", mesh.name},   {"faces", mesh.faces}, {"directions", mesh.directions},     {"area", mesh.area},
+          {"lower", mesh.lower}, {"upper", mesh.upper}, {"rotation", to_json(mesh.rotation)}};
 }
 
 }  // namespace
@@ -161,7 +160,8 @@ std::vector<std::size_t> Summary::order(std::size_t budget) const {
   std::vector<std::size_t> order(usage.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto& standing = standings[budget];
-  std::ranges::stable_sort(order, {}, [&](std::size_t e) { return std::pair(standing[e].mean_rank, standing[e].gap); });
+  std::ranges::stable_sort(order, {},
+                           [&](std::size_t e) { return std::pair(standing[e].mean_rank, standing[e].gap); });
   return order;
 }
 

@@ -25,11 +25,16 @@ inline constexpr std::size_t kLeafSpan = 3 * kLeaf;
 
 inline constexpr int kMaxLevels = 12;  // enough for 2^36 vectors
 
+/// Nodes of one level that a query opens at most.
+inline constexpr std::size_t kMostOpened = 16384;
+
 /// Node j of family f on level l is the parent of family 8 f + j on level l - 1, or of leaf 8 f + j
 /// if l = 0. The highest level is a single family.
 struct NormalNodes {
   const double* leaves = nullptr;
   const double* levels[kMaxLevels] = {};
+  /// Nodes of each level that a query may open before it gives up; at most kMostOpened.
+  std::size_t limits[kMaxLevels] = {};
   int depth = 0;  ///< number of levels
 };
 
@@ -40,8 +45,8 @@ struct NormalQuery {
 };
 
 /// Adds the sums over the nodes of one query: of min(s, 0) to sums[0], or of V where s < 0 to
-/// sums[0..2].
-using NormalKernel = void (*)(const NormalNodes& nodes, const NormalQuery& query, TwoSum* sums);
+/// sums[0..2]. False if the query gave up.
+using NormalKernel = bool (*)(const NormalNodes& nodes, const NormalQuery& query, TwoSum* sums);
 
 struct NormalKernels {
   NormalKernel values, cuts;

@@ -23,6 +23,12 @@ constexpr std::size_t kRunLeaves = kFan * kFan * kFan * kFan;
 // Tasks work on nodes that cover this many leaves or a single one.
 constexpr std::size_t kTaskLeaves = 2048;
 
+// The share of a level's nodes, at least kFewest of them, beyond which a query gives up. Opening a
+// node takes the time in which the flat sum adds 50 to 100 vectors; so an eighth of the leaves
+// costs about what the flat sum costs.
+constexpr std::size_t kLargestShare = 8;
+constexpr std::size_t kFewest = 96;
+
 std::size_t ceil_div(std::size_t a, std::size_t b) { return (a + b - 1) / b; }
 
 /// Copies one run of vectors into leaf after leaf, padded with zeros. Signs carry no meaning, but
@@ -98,9 +104,8 @@ std::vector<std::size_t> level_sizes(std::size_t leaves) {
 
 }  // namespace
 
-NormalTree::NormalTree(const AreaVectors& vectors)
-    : size_(vectors.size()), kernels_(&normal_kernels()) {
-  const std::size_t leaves = std::max<std::size_t>(1, ceil_div(size_, kLeaf));
+NormalTree::NormalTree(const AreaVectors& vectors) : flat_(vectors), kernels_(&normal_kernels()) {
+  const std::size_t leaves = std::max<std::size_t>(1, ceil_div(size(), kLeaf));
   const std::vector<std::size_t> families = level_sizes(leaves);
   doubles_ = leaves * kLeafSpan;
   for (const std::size_t count : families) doubles_ += count * kFamily;
@@ -114,6 +119,8 @@ NormalTree::NormalTree(const AreaVectors& vectors)
   std::size_t stride = 1;
   for (const std::size_t count : families) {
     fill_level(*kernels_, nodes->leaves, leaves, children, stride, level);
+    nodes->limits[nodes->depth] =
+        std::clamp(ceil_div(leaves, stride * kLargestShare), kFewest, kMostOpened);
     nodes->levels[nodes->depth++] = level;
     children = level;
     level += count * kFamily;

@@ -22,14 +22,13 @@ namespace {
 using D = hn::CappedTag<double, kFan>;
 using D32 = hn::CappedTag<std::uint32_t, kFan>;
 
-// Nodes that are opened together. A whole level is listed before the next one is visited, so the
-// processor works on many nodes at once and never waits for a branch; a depth-first walk would wait
-// at each node.
-constexpr std::size_t kList = 256;
+// Nodes whose terms are summed in registers before they are added to the compensated sums: keeps
+// the number of terms per lane, hence the rounding, bounded.
+constexpr std::size_t kChunkNodes = 256;
 
 // Nodes ahead of the current one whose memory is requested: on large trees most visits miss the
-// caches.
-constexpr std::size_t kAhead = 16;
+// caches. 16 and 96 are slower (Zen 5).
+constexpr std::size_t kAhead = 40;
 
 template <class V>
 HWY_INLINE V squared_length(V x, V y, V z) {
@@ -38,6 +37,12 @@ HWY_INLINE V squared_length(V x, V y, V z) {
 
 HWY_INLINE void prefetch(const double* data, std::size_t size) {
   for (std::size_t i = 0; i < size; i += 8) hwy::Prefetch(data + i);
+}
+
+/// The start of a list, to which nothing before it looks ahead.
+HWY_INLINE void prefetch_first(const double* data, std::size_t span, const std::uint32_t* list,
+                               std::size_t size) {
+  for (std::size_t i = 0; i < std::min(kAhead, size); ++i) prefetch(data + list[i] * span, span);
 }
 
 /// Lists of nodes. The lane numbers are kept in memory: Highway's Iota writes them there one by one
@@ -73,35 +78,44 @@ class Walk {
   HWY_INLINE Walk(const NormalNodes& nodes, const NormalQuery& query, TwoSum* sums)
       : nodes_(nodes), query_(query), sums_(sums) {}
 
-  HWY_INLINE void run() {
-    const std::uint32_t root = 0;
-    open(nodes_.depth - 1, &root, 1);
-    flush();
+  /// Lists all nodes of a level to be opened before it visits the next level: the processor works
+  /// on many nodes at once and never waits for a branch, as it would at each node of a depth-first
+  /// walk, and too long a list is noticed before its nodes cost anything.
+  HWY_INLINE bool run() {
+    std::uint32_t lists[2][kMostOpened + kChunkNodes + kFan];
+    lists[0][0] = 0;
+    std::size_t size = 1;
+    int current = 0;
+    for (int level = nodes_.depth - 1; level >= 0; --level, current = 1 - current) {
+      size = test(level, lists[current], size, lists[1 - current]);
+      if (size > nodes_.limits[level]) return false;
+    }
+    add_leaves(lists[current], size);
+    return true;
   }
 
  private:
-  void open(int level, const std::uint32_t* families, std::size_t size) {
-    std::uint32_t children[kList + kFan];
-    for (std::size_t begin = 0; begin < size; begin += kList / kFan) {
-      const std::size_t end = std::min(size, begin + kList / kFan);
-      const std::size_t found = test(nodes_.levels[level], families, begin, end, size, children);
-      if (level > 0) {
-        open(level - 1, children, found);
-      } else {
-        add_leaves(children, found);
-      }
-      if (end < size) flush();  // keeps the number of terms per lane, hence the rounding, bounded
+  /// Sums the nodes that the circle misses, lists those that it meets; stops where these get too
+  /// many.
+  HWY_INLINE std::size_t test(int level, const std::uint32_t* families, std::size_t size,
+                              std::uint32_t* children) {
+    NodeList found(children);
+    prefetch_first(nodes_.levels[level], kFamily, families, size);
+    for (std::size_t begin = 0; begin < size && found.size() <= nodes_.limits[level];) {
+      const std::size_t end = std::min(size, begin + kChunkNodes / kFan);
+      test_chunk(nodes_.levels[level], families, begin, end, size, found);
+      flush();
+      begin = end;
     }
+    return found.size();
   }
 
-  /// Sums the nodes that the circle misses, lists those that it meets.
-  HWY_INLINE std::size_t test(const double* nodes, const std::uint32_t* families, std::size_t begin,
-                              std::size_t end, std::size_t size, std::uint32_t* children) {
+  HWY_INLINE void test_chunk(const double* nodes, const std::uint32_t* families, std::size_t begin,
+                             std::size_t end, std::size_t size, NodeList& found) {
     const D d;
     const auto a = hn::Set(d, query_.slope.a), b = hn::Set(d, query_.slope.b);
     const auto reach = hn::Set(d, query_.reach), resolution = hn::Set(d, query_.resolution);
     Sum sum = sum_;
-    NodeList found(children);
     for (std::size_t i = begin; i < end; ++i) {
       prefetch(nodes + families[std::min(i + kAhead, size - 1)] * kFamily, kFamily);
       const double* family = nodes + families[i] * kFamily;
@@ -125,14 +139,24 @@ class Walk {
       found.append(families[i] * static_cast<std::uint32_t>(kFan), bits);
     }
     sum_ = sum;
-    return found.size();
   }
 
   HWY_INLINE void add_leaves(const std::uint32_t* leaves, std::size_t size) {
+    prefetch_first(nodes_.leaves, kLeafSpan, leaves, size);
+    for (std::size_t begin = 0; begin < size;) {
+      const std::size_t end = std::min(size, begin + kChunkNodes);
+      add_chunk(leaves, begin, end, size);
+      flush();
+      begin = end;
+    }
+  }
+
+  HWY_INLINE void add_chunk(const std::uint32_t* leaves, std::size_t begin, std::size_t end,
+                            std::size_t size) {
     const D d;
     const auto a = hn::Set(d, query_.slope.a), b = hn::Set(d, query_.slope.b);
     Sum sum = sum_;
-    for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t i = begin; i < end; ++i) {
       prefetch(nodes_.leaves + leaves[std::min(i + kAhead, size - 1)] * kLeafSpan, kLeafSpan);
       const double* leaf = nodes_.leaves + leaves[i] * kLeafSpan;
       for (std::size_t lane = 0; lane < kLeaf; lane += hn::Lanes(d)) {
@@ -159,12 +183,9 @@ class Walk {
 };
 
 template <class Sum>
-void kernel(const NormalNodes& nodes, const NormalQuery& query, TwoSum* sums) {
-  if (query.resolution > 0) {
-    Walk<Sum, true>(nodes, query, sums).run();
-  } else {
-    Walk<Sum, false>(nodes, query, sums).run();
-  }
+bool kernel(const NormalNodes& nodes, const NormalQuery& query, TwoSum* sums) {
+  return query.resolution > 0 ? Walk<Sum, true>(nodes, query, sums).run()
+                              : Walk<Sum, false>(nodes, query, sums).run();
 }
 
 double cap(const double* leaves, std::size_t count, const double* axis) {

@@ -11,8 +11,17 @@ constexpr std::size_t kPass = 256;
 
 }  // namespace
 
-ProjectedArea::ProjectedArea(AreaVectors vectors, std::string name)
-    : vectors_(std::move(vectors)), flat_(vectors_), name_(std::move(name)) {}
+ProjectedArea::ProjectedArea(AreaVectors vectors, std::string name, Evaluation evaluation, Precision precision)
+    : vectors_(std::move(vectors)),
+      flat_(vectors_, precision),
+      use_tree_(evaluation == Evaluation::kTree ||
+                (evaluation == Evaluation::kAuto && NormalTree::worthwhile(vectors_.size()))),
+      name_(std::move(name)) {}
+
+const NormalTree& ProjectedArea::tree() const {
+  std::call_once(tree_once_, [this] { tree_.emplace(vectors_); });
+  return *tree_;
+}
 
 void ProjectedArea::values(std::span<const Rotation> rotations, std::span<double> values) const {
   std::array<Vector3, 3 * kPass> directions;
@@ -32,22 +41,19 @@ void ProjectedArea::values(std::span<const Rotation> rotations, std::span<double
           axes[i][k] = used++;
         }
       }
-    flat_.values({directions.data(), used}, {h.data(), used});
+    if (use_tree_) tree().values({directions.data(), used}, {h.data(), used});
+    else flat_.values({directions.data(), used}, {h.data(), used});
     for (std::size_t i = 0; i < count; ++i)
       values[begin + i] = (h[axes[i][0]] + h[axes[i][1]] + h[axes[i][2]]) / vectors_.total;
   }
 }
 
 void ProjectedArea::cuts(std::span<const Rotation> rotations, std::span<Cut> cuts) const {
-  // Who asks for cuts asks for thousands. The choice must not depend on this call's size: the two sums
-  // differ in the last bits.
-  const bool use_tree = NormalTree::worthwhile(vectors_.size(), kPass);
-  if (use_tree) std::call_once(tree_once_, [this] { tree_.emplace(vectors_); });
   std::array<Vector3, 3 * kPass> directions, subgradients;
   for (std::size_t begin = 0; begin < rotations.size(); begin += kPass) {
     const std::size_t count = std::min(kPass, rotations.size() - begin);
     for (std::size_t i = 0; i < 3 * count; ++i) directions[i] = rotations[begin + i / 3].axis(static_cast<int>(i % 3));
-    if (use_tree) tree_->cuts({directions.data(), 3 * count}, {subgradients.data(), 3 * count});
+    if (use_tree_) tree().cuts({directions.data(), 3 * count}, {subgradients.data(), 3 * count});
     else flat_.cuts({directions.data(), 3 * count}, {subgradients.data(), 3 * count});
     for (std::size_t i = 0; i < count; ++i) {
       Cut& cut = cuts[begin + i];
@@ -59,7 +65,7 @@ void ProjectedArea::cuts(std::span<const Rotation> rotations, std::span<Cut> cut
 
 CutBounds ProjectedArea::cut_bounds() const {
   // Two directions merged as parallel may be kParallel apart; dividing by S takes a few roundoffs.
-  const double sums = std::max(FlatSum::relative_error_bound(Precision::kDouble), NormalTree::kErrorBound);
+  const double sums = std::max(FlatSum::relative_error_bound(flat_.precision()), NormalTree::kErrorBound);
   return {.error = sums + 4 * kParallel, .norm = 1 + 1e-12, .floor = 1 - 0x1p-50};  // floor: eq. (12)
 }
 

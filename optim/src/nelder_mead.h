@@ -5,8 +5,8 @@
 namespace rectilin {
 
 /// Nelder and Mead (1965) on rotations, see simplex.h. On kinks a simplex may flatten and stop
-/// short of a minimum; a new one, set up where it stopped, finds out (Kelley 1999). On meshes of 20
-/// to 3000 directions one run in ten stopped short without restart, one in fifty with one.
+/// short of a minimum; a new one, set up where it stopped, finds out (Kelley 1999);
+/// papers/optimizers.md says how often.
 struct NelderMeadOptions {
   double size = 0.3;
   double tolerance = 1e-9;

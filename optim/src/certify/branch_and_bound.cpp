@@ -10,10 +10,10 @@
 namespace rectilin::bounding {
 namespace {
 
-/// Angle (radians) by which the rotations asked for are off the model's minima. These tend to have faces parallel
-/// to axes to the last bit, where the signs in a cut are rounding noise; a little off, they are the same for everyone who
-/// recomputes the cut.
-constexpr double kJitter = 1e-10;
+/// Angle (radians) by which the rotations asked for are off the model's minima, at most, and in units of the gap. These
+/// minima tend to have faces parallel to axes to the last bit, where the signs in a cut are rounding noise; a little off,
+/// they are the same for everyone who recomputes the cut.
+constexpr double kJitter = 1e-8, kJitterPerGap = 0.01;
 
 constexpr int kRetries = 3;                  // times new cuts may be tried before a cell is halved
 constexpr std::uint64_t kCellsBeforeBalls = 100;
@@ -99,12 +99,13 @@ void BranchAndBound::take_round() {
 /// false if the budget ends first.
 bool BranchAndBound::evaluate_round() {
   const double before = evaluator_.incumbent().value;
+  const double jitter = std::min(kJitter, kJitterPerGap * options_.gap);
   std::vector<Rotation> rotations;
   for (Slot& slot : round_) {
     if (slot.cell.model >= enough_) continue;
     slot.cuts = static_cast<std::uint32_t>(table_.size() + 3 * rotations.size());
     Eigen::Vector3d aside;
-    for (double& component : aside) component = jitter_.uniform(-kJitter, kJitter);
+    for (double& component : aside) component = jitter_.uniform(-jitter, jitter);
     rotations.push_back(rotation_from_rodrigues(slot.cell.low_point + aside));
   }
   if (rotations.empty()) return true;
@@ -169,6 +170,8 @@ void BranchAndBound::update_minorants() {
 }
 
 void BranchAndBound::expand(Slot& slot) const {
+  // A better incumbent since it was taken: as in take_round(), the proof needs weights for this very cell.
+  if (proof_ && slot.cell.bound >= enough_) slot.cell.bound = facts_.floor;
   if (slot.cuts) {
     for (std::uint32_t k = 0; k < 3; ++k) slot.cell.bundles[k].add(*slot.cuts + k, options_.bundle);
     const double before = slot.cell.bound;

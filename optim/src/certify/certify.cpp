@@ -1,6 +1,7 @@
 #include "rectilin/optim/certify.h"
 
 #include "branch_and_bound.h"
+#include "optima.h"
 #include "polish.h"
 
 namespace rectilin {
@@ -18,6 +19,25 @@ void CertifyOptions::bind(Parameters& table) {
       .flag("optima", optima, "find all frames within the gap");
 }
 
+namespace {
+
+Certificate certificate_of(const bounding::ProofTree& proof, const CertifyResult& result, const CutBounds& facts) {
+  Certificate certificate;
+  certificate.tree = "f";
+  // Whoever recomputes the leaves' bounds rounds differently, so the claim is a little less than what was proved.
+  const double claim = result.lower - bounding::rounding_allowance(facts);
+  certificate.lower = std::max(claim, facts.floor);
+  if (claim > facts.floor) {
+    certificate = proof.certificate();
+    certificate.lower = claim;
+  }
+  certificate.rotation = result.incumbent.rotation;
+  certificate.value = result.incumbent.value;
+  return certificate;
+}
+
+}  // namespace
+
 CertifyResult certify(Evaluator& evaluator, const CertifyOptions& options, Certificate* certificate) {
   if (!evaluator.objective().has_cuts())
     throw ParameterError(std::string(Certify::kName) + ": '" + evaluator.objective().name() + "' has no cuts");
@@ -29,7 +49,13 @@ CertifyResult certify(Evaluator& evaluator, const CertifyOptions& options, Certi
     result.incumbent = evaluator.incumbent();
     result.lower = std::min(result.lower, result.incumbent.value);
   }
-  if (proof && result.closed) *certificate = proof->certificate();
+  if (proof && result.closed) *certificate = certificate_of(*proof, result, evaluator.objective().cut_bounds());
+  if (options.optima && result.closed) {
+    // A frame is within the gap if its merit is.
+    const double best = result.incumbent.value;
+    const double threshold = 2 * best - bounding::cutoff_value(evaluator.objective(), best, options.gap);
+    result.optima = bounding::find_optima(evaluator, options, threshold);
+  }
   return result;
 }
 

@@ -46,7 +46,7 @@ class Model {
 
 }  // namespace
 
-void descend(Evaluator& evaluator, const Rotation& start, const Cut& cut, int steps, double enough) {
+Incumbent descend(Evaluator& evaluator, const Rotation& start, const Cut& cut, int steps, double enough) {
   static const std::array<Array8, 3> signs = {corner_signs(0), corner_signs(1), corner_signs(2)};
   Model model(cut);
   Rotation at = start;
@@ -54,7 +54,7 @@ void descend(Evaluator& evaluator, const Rotation& start, const Cut& cut, int st
   for (int step = 0; step < steps && !evaluator.exhausted(); ++step) {
     const Strategies best = model.minimum(at, radius);
     const double promised = value - best.value;
-    if (!(promised > std::max(1e-14 * value, enough))) return;
+    if (!(promised > std::max(1e-14 * value, enough))) break;
     Eigen::Vector3d turn;
     for (int i = 0; i < 3; ++i) turn[i] = radius * (signs[i] * best.corner).sum();
     // The axes r turn to exp(turn) r, in the mesh's coordinates; the quaternion keeps the frame orthonormal.
@@ -70,9 +70,10 @@ void descend(Evaluator& evaluator, const Rotation& start, const Cut& cut, int st
       value = there.value;
     } else {
       radius = std::min(0.5 * radius, std::max(2 * length, 0.1 * radius));
-      if (radius < kSmallestRadius) return;
+      if (radius < kSmallestRadius) break;
     }
   }
+  return {at, value};
 }
 
 }  // namespace rectilin::bounding

@@ -10,7 +10,7 @@ namespace rectilin::bounding {
 /// model becomes exact, and the search ends there after few steps.
 ///
 /// Starts at `start` with its cut, takes at most `steps` cuts and stops when the model promises less than
-/// `enough`. The result is the evaluator's incumbent.
-void descend(Evaluator& evaluator, const Rotation& start, const Cut& cut, int steps, double enough);
+/// `enough`. Returns the best rotation of this search.
+Incumbent descend(Evaluator& evaluator, const Rotation& start, const Cut& cut, int steps, double enough);
 
 }  // namespace rectilin::bounding

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "descent.h"
+
 namespace rectilin::bounding {
 namespace {
 
 constexpr double kTolerances[] = {1e-4, 1e-6, 1e-8, 1e-10};  // radians to being parallel at the start
 constexpr double kParallelInTheEnd = 1e-12;
-constexpr int kNewtonSteps = 8;
+constexpr int kDescent = 20, kNewtonSteps = 8;
 constexpr double kIndependent = 0.1;  // sine of the angle between a condition and the span of those before
 
 struct Condition {
@@ -73,7 +75,9 @@ Rotation solve(const std::vector<Condition>& conditions, Rotation frame) {
 
 std::vector<ActiveFace> polish(Evaluator& evaluator) {
   const Generators generators = evaluator.objective().generators();
-  const Rotation start = evaluator.incumbent().rotation;
+  Rotation start = evaluator.incumbent().rotation;
+  descend(evaluator, start, evaluator.cut(start), kDescent, 0);
+  start = evaluator.incumbent().rotation;
   for (const double tolerance : kTolerances) {
     const std::vector<Condition> conditions = independent(near_parallel(generators, start, tolerance), start);
     if (!conditions.empty()) evaluator.value(solve(conditions, start));

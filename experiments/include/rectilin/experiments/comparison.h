@@ -14,19 +14,19 @@ namespace rectilin {
 
 /// How far a comparison is.
 struct ComparisonProgress {
-  std::size_t done = 0, total = 0;  ///< runs, those of an earlier start included
+  std::size_t done = 0, total = 0;                                ///< runs, those of an earlier start included
   double seconds_left = std::numeric_limits<double>::infinity();  ///< estimated; infinite while nothing is known
-  std::string text;                 ///< what goes on
+  std::string text;                                               ///< what goes on
 };
 
 struct ComparisonSettings {
   std::stop_token stop = {};
-  std::string command_line = {};  ///< for the record
+  std::string command_line = {};                                    ///< for the record
   std::function<void(const ComparisonProgress&)> on_progress = {};  ///< called from any thread, one at a time
 };
 
 struct ComparisonOutcome {
-  bool complete = false;                 ///< nothing is left to run
+  bool complete = false;  ///< nothing is left to run
   std::size_t failed_runs = 0;
   std::vector<std::string> mesh_errors;  ///< one line for each mesh that could not be measured
 };

@@ -21,6 +21,8 @@ struct LineStyle {
 
 /// The palette's colour as #rrggbb.
 std::string hex_colour(int colour);
+/// Lengths of strokes and spaces, separated by commas; empty for a solid line.
+std::string dash_pattern(int dash);
 
 struct Axis {
   std::string label;
@@ -71,8 +73,15 @@ class Figure {
   /// Writes NAME.csv and NAME.gp.
   void write(const std::filesystem::path& folder, const std::string& name) const;
 
+  int width() const { return size_.width; }  ///< pixels at which the text has its usual size
+
+  struct Size {
+    int width, height;
+  };
+
  private:
   Csv data_;
+  Size size_;
   std::string commands_;  ///< with @NAME@ for the name
 };
 

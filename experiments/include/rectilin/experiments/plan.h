@@ -22,8 +22,8 @@ struct Entry {
 struct Plan {
   std::vector<std::string> meshes;  ///< sources, see load_mesh()
   std::vector<Entry> entries;
-  int runs = 15;                    ///< per mesh and entry
-  std::uint64_t budget = 10000;     ///< evaluations a run
+  int runs = 15;                 ///< per mesh and entry
+  std::uint64_t budget = 10000;  ///< evaluations a run
   std::uint64_t seed = 1;
   std::string certificate = "certify?gap=1e-10";  ///< what bounds the optimum of each mesh
 

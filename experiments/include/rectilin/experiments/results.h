@@ -16,7 +16,7 @@ enum class Cost { kEvaluations, kSeconds };
 
 /// The gap of a run as a step function of what it has cost so far.
 struct Trace {
-  double worst = 0;  ///< the gap before the first evaluation
+  double worst = 0;                               ///< the gap before the first evaluation
   std::vector<double> evaluations, seconds, gap;  ///< one element a step; increasing, increasing, decreasing
 
   const std::vector<double>& cost(Cost unit) const { return unit == Cost::kEvaluations ? evaluations : seconds; }
@@ -45,9 +45,9 @@ struct MeshResult {
   std::string error;  ///< if it could not be measured: then nothing but the names is set
   std::size_t faces = 0, directions = 0;
   double area = 0;
-  double lower = 0, upper = 1;        ///< certified: lower <= R(M) <= upper
+  double lower = 0, upper = 1;          ///< certified: lower <= R(M) <= upper
   double evaluations = 0, seconds = 0;  ///< what the certificate cost
-  Rotation rotation;                  ///< the best known, of R = lower
+  Rotation rotation;                    ///< the best known, of R = lower
 
   /// Width of the certificate, the least gap that is told apart from none; at least kLeastGap.
   double width() const;

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "rectilin/measure/area_vectors.h"
+#include "rectilin/measure/flat_sum.h"
 
 namespace rectilin {
 
@@ -19,22 +20,28 @@ struct NormalNodes;
 /// their directions. Where the great circle u . v = 0 misses the cap, all u . v_i have one sign and
 /// the node contributes exactly |u . V| = sum |u . v_i|; only nodes that the circle meets are
 /// opened. On a smooth mesh those are about sqrt(N) of N. (The idea is that of a bounding volume
-/// hierarchy, with the great circle in the place of a ray.) Any order of vectors gives right sums;
-/// a bad one gives a slow tree.
+/// hierarchy, with the great circle in the place of a ray.)
+///
+/// Any order of vectors gives right sums; a bad one gives no gain. Nor is there any where nearly
+/// all vectors lie across u, as for a surface of revolution seen along its axis. A direction whose
+/// circle meets more than an eighth of some level's nodes is left to the flat sum; how many it
+/// meets is known before they are opened.
 ///
 /// A result depends on its direction, the area vectors and the instruction set alone, bit for bit.
 /// The requirements on directions are FlatSum's. Const and thread safe; large calls use TBB's
 /// current arena.
 class NormalTree {
  public:
-  /// Copies the vectors (interleaved, for locality): `vectors` need not outlive this object. O(N
-  /// log N), in parallel. Uses the instruction set chosen at this moment (see ScopedFlatSumTarget).
+  /// `vectors` must outlive this object, unchanged; it keeps an interleaved copy, too, for
+  /// locality. O(N log N), in parallel. Uses the instruction set chosen at this moment (see
+  /// ScopedFlatSumTarget).
   explicit NormalTree(const AreaVectors& vectors);
 
   /// h[k] = sum_i |u[k] . v_i|, with an error of at most kErrorBound |u| S.
   ///
   /// With a positive `resolution` (radians, at most pi / 2) a node whose cap's radius is below it
   /// is never opened, and h[k] is a lower bound of the sum: |u . V| <= sum |u . v_i| always holds.
+  /// (For a direction left to the flat sum it is the sum.)
   void values(std::span<const Vector3> u, std::span<double> h, double resolution = 0) const;
 
   /// g[k] = sum of sign(u[k] . V) V over the nodes at which values() stops. h(w) >= g . w for every
@@ -46,19 +53,19 @@ class NormalTree {
   /// vectors: sums in registers have a bounded number of terms and are combined with compensation.
   static constexpr double kErrorBound = 1e-12;
 
-  /// Whether, on a typical mesh, this tree gives values faster than FlatSum in calls of so many
-  /// directions. Its cuts pay from half as many vectors on.
-  static bool worthwhile(std::size_t vectors, std::size_t directions);
+  /// Whether this tree is faster than FlatSum on a typical mesh, and never much slower: what it
+  /// costs to find that a direction is for the flat sum weighs little from so many vectors on.
+  static bool worthwhile(std::size_t vectors);
 
-  std::size_t size() const { return size_; }
+  std::size_t size() const { return flat_.size(); }
   std::size_t bytes() const;  ///< about 29 bytes a vector, the copies of the vectors included
 
  private:
-  template <class Result, class Finish>
+  template <class Result, class Walk, class Flat>
   void evaluate(std::span<const Vector3> u, std::span<Result> results, double resolution,
-                const Finish& finish) const;
+                const Walk& walk, const Flat& flat) const;
 
-  std::size_t size_;
+  FlatSum flat_;
   std::size_t doubles_ = 0;            // size of storage_
   std::shared_ptr<double[]> storage_;  // never written after construction, hence shared by copies
   std::shared_ptr<const NormalNodes> nodes_;

@@ -14,12 +14,22 @@ namespace rectilin {
 /// R(M) from the least ratio P/S (eq. 27): 3 (S/P - 2/3). Ratios lie in [1, sqrt(3)] (eq. 12).
 inline double rectilinearity(double ratio) { return 3 / ratio - 2; }
 
+/// How the sums over the area vectors are formed. Either way they are exact up to rounding.
+enum class Evaluation {
+  kAuto,  ///< the tree where NormalTree::worthwhile(): the number of vectors alone decides
+  kFlat,  ///< FlatSum
+  kTree,  ///< NormalTree
+};
+
 /// P(R)/S of a mesh, to be minimised over rotations; its merit is the rectilinearity.
 /// P(R) = h(r1) + h(r2) + h(r3) with h(u) = sum_i |u . v_i| over the area vectors (eqs. 1, 2, 7).
-/// Immutable and thread safe; the same bits for any number of threads.
+/// Immutable and thread safe; the same bits for any number of threads, and for any batches. `precision` is
+/// that of the flat sum; the tree, and the flat sum inside it, are in double precision.
 class ProjectedArea final : public Objective {
  public:
-  explicit ProjectedArea(AreaVectors vectors, std::string name = "mesh");
+  explicit ProjectedArea(AreaVectors vectors, std::string name = "mesh",
+                         Evaluation evaluation = Evaluation::kAuto,
+                         Precision precision = Precision::kDouble);
   ProjectedArea(const ProjectedArea&) = delete;  // the kernel refers to the vectors in place
   ProjectedArea& operator=(const ProjectedArea&) = delete;
 
@@ -36,12 +46,16 @@ class ProjectedArea final : public Objective {
   double merit(double value) const override { return rectilinearity(value); }
 
   const AreaVectors& vectors() const { return vectors_; }
+  bool uses_tree() const { return use_tree_; }
 
  private:
+  const NormalTree& tree() const;
+
   AreaVectors vectors_;
   FlatSum flat_;
   mutable std::once_flag tree_once_;
-  mutable std::optional<NormalTree> tree_;  // for cuts, if there are many vectors; made when first asked for
+  bool use_tree_;
+  mutable std::optional<NormalTree> tree_;  // made when first asked for
   std::string name_;
 };
 

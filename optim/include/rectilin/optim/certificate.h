@@ -35,4 +35,7 @@ struct Certificate {
   bool empty() const { return tree.empty(); }
 };
 
+/// The certificate as JSON: format, version, "mesh" (which says what it is about), and the fields above.
+Json to_json(const Certificate& certificate, const std::string& mesh);
+
 }  // namespace rectilin

@@ -36,9 +36,9 @@ struct ActiveFace {
 /// A set of frames within the gap of the best value, as far as it could be told apart from others.
 struct Optimum {
   enum class Kind {
-    kPoint,      ///< one frame, proved to be a strict local minimum
-    kContinuum,  ///< the frames do not stay within a ball: a curve or more of them, to the resolution
-    kPossible,   ///< no frame of it was shown to be within the gap, none could be excluded either
+    kPoint,      ///< frames within the gap, none further than 0.02 radians from another
+    kContinuum,  ///< frames within the gap that stretch further: a curve of them, or closer than can be told
+    kPossible,   ///< cells that could not be excluded; no frame within the gap was found there
   };
   Kind kind = Kind::kPoint;
   Rotation rotation;  ///< the best frame met, as reduce_to_zone() turns it

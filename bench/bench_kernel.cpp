@@ -1,0 +1,174 @@
+// The flat sum against the machine's limits: arithmetic in cache, memory beyond it.
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <array>
+
+#include "bench.h"
+#include "inputs.h"
+#include "naive.h"
+#include "peak.h"
+#include "rectilin/measure/flat_sum.h"
+#include "stopwatch.h"
+
+namespace rectilin::bench {
+namespace {
+
+const char* name(Precision precision) {
+  return precision == Precision::kSingle ? "single" : "double";
+}
+
+double face_bytes(Precision precision) { return precision == Precision::kSingle ? 12 : 24; }
+
+void naive(benchmark::State& state, std::size_t faces) {
+  const AreaVectors& vectors = smooth_vectors(faces);
+  Directions directions(random_directions(64), 1);
+  for (auto _ : state) benchmark::DoNotOptimize(naive_value(vectors, directions.next()[0]));
+  const double pairs =
+      static_cast<double>(state.iterations()) * static_cast<double>(vectors.size());
+  state.counters["pairs/s"] = rate(pairs);
+  state.counters["face_rotations/s"] = rate(pairs / 3);
+  state.SetComplexityN(static_cast<std::int64_t>(vectors.size()));
+}
+
+struct FlatCase {
+  std::string target;
+  Precision precision;
+  std::size_t faces, directions;
+  int threads;
+};
+
+void flat(benchmark::State& state, const FlatCase& which) {
+  const auto limit = threads(which.threads);
+  const AreaVectors& vectors = smooth_vectors(which.faces);
+  const ScopedFlatSumTarget target(which.target);
+  const FlatSum sum(vectors, which.precision);
+  Directions directions(random_directions(4 * which.directions), which.directions);
+  std::vector<double> h(which.directions);
+  for (auto _ : state) {
+    sum.values(directions.next(), h);
+    benchmark::DoNotOptimize(h.data());
+  }
+  const auto calls = static_cast<double>(state.iterations());
+  const auto faces = static_cast<double>(vectors.size());
+  const double pairs = calls * faces * static_cast<double>(which.directions);
+  state.counters["pairs/s"] = rate(pairs);
+  state.counters["face_rotations/s"] = rate(pairs / 3);
+  state.counters["bytes/s"] = rate(calls * faces * face_bytes(which.precision));
+  if (const double peak = which.threads * peak_pairs(which.target, which.precision); peak > 0)
+    state.counters["compute_fraction"] = rate(pairs / peak);
+  state.counters["directions"] = static_cast<double>(which.directions);
+  state.SetComplexityN(static_cast<std::int64_t>(vectors.size()));
+}
+
+/// One rotation, and the bare reading of its vectors, in turns: whatever else the machine does
+/// strikes both. The bytes are the same, so the ratio of times is the fraction of the bandwidth.
+void bandwidth(benchmark::State& state, std::size_t faces, Precision precision, int thread_count) {
+  const auto limit = threads(thread_count);
+  const AreaVectors& vectors = smooth_vectors(faces);
+  const FlatSum sum(vectors, precision);
+  // Single precision reads half the bytes: half of each array.
+  const std::size_t doubles = precision == Precision::kSingle ? vectors.size() / 2 : vectors.size();
+  Directions directions(random_directions(30), 3);
+  std::array<double, 3> h;
+  const auto clock = thread_count == 1 ? thread_seconds : wall_seconds;
+  Stopwatch reading(clock), summing(clock);
+  const auto read = [&](std::size_t begin, std::size_t end) {
+    benchmark::DoNotOptimize(read_arrays(vectors.x.data() + begin, vectors.y.data() + begin,
+                                         vectors.z.data() + begin, end - begin));
+  };
+  for (auto _ : state) {
+    reading.time([&] {
+      const auto parts = static_cast<std::size_t>(thread_count);
+      tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t i) {
+        read(i * doubles / parts, (i + 1) * doubles / parts);
+      });
+    });
+    state.SetIterationTime(summing.time([&] {
+      sum.values(directions.next(), h);
+      benchmark::DoNotOptimize(h.data());
+    }));
+  }
+  const double bytes = face_bytes(precision) * static_cast<double>(vectors.size());
+  state.counters["bytes/s"] = bytes / summing.median();
+  state.counters["peak_bytes/s"] = bytes / reading.median();
+  state.counters["bandwidth_fraction"] = reading.median() / summing.median();
+}
+
+/// One population by one thread and by two, in turns. Others may hold a core at any moment, so the
+/// quickest of each counts.
+void speedup(benchmark::State& state, std::size_t faces, std::size_t count) {
+  const AreaVectors& vectors = smooth_vectors(faces);
+  const FlatSum sum(vectors);
+  Directions directions(random_directions(4 * count), count);
+  std::vector<double> h(count);
+  std::array<Stopwatch, 2> watches = {Stopwatch(wall_seconds), Stopwatch(wall_seconds)};
+  for (auto _ : state)
+    for (const int arena_size : {1, 2})
+      watches[arena_size - 1].time(
+          [&] { tbb::task_arena(arena_size).execute([&] { sum.values(directions.next(), h); }); });
+  state.counters["speedup"] = watches[0].least() / watches[1].least();
+}
+
+void registers(benchmark::State& state, RegisterLoop loop) {
+  double pairs = 0;
+  for (auto _ : state) pairs += loop(4096);
+  state.counters["pairs/s"] = rate(pairs);
+}
+
+void add_flat(const FlatCase& which, const std::string& kind = "flat") {
+  const std::string path = kind + "/" + which.target + "/" + name(which.precision) +
+                           pair("directions", which.directions) + pair("faces", which.faces) +
+                           pair("threads", static_cast<std::size_t>(which.threads));
+  auto* added = benchmark::RegisterBenchmark(path.c_str(), flat, which);
+  if (which.threads > 1) added->UseRealTime();
+}
+
+}  // namespace
+
+void register_kernel_benchmarks() {
+  const std::vector<std::string> targets = flat_sum_targets();
+  constexpr std::array<Precision, 2> kPrecisions = {Precision::kDouble, Precision::kSingle};
+  for (const std::string& target : targets)
+    for (const Precision precision : kPrecisions)
+      if (const RegisterLoop loop = register_loop(target, precision))
+        benchmark::RegisterBenchmark(("registers/" + target + "/" + name(precision)).c_str(),
+                                     registers, loop);
+
+  for (const std::size_t faces : {1000u, 10'000u, 100'000u, 1'000'000u, 10'000'000u}) {
+    benchmark::RegisterBenchmark(("naive" + pair("faces", faces)).c_str(), naive, faces);
+    for (const std::string& target : targets)
+      for (const Precision precision : kPrecisions)
+        for (const std::size_t directions : {1u, 3u, 24u, 150u})
+          for (const int thread_count : {1, 2})
+            add_flat({target, precision, faces, directions, thread_count});
+    for (const Precision precision : kPrecisions)
+      for (const int thread_count : {1, 2})
+        benchmark::RegisterBenchmark(
+            (std::string("bandwidth/") + name(precision) + pair("faces", faces) +
+             pair("threads", static_cast<std::size_t>(thread_count)))
+                .c_str(),
+            bandwidth, faces, precision, thread_count)
+            ->UseManualTime();
+  }
+
+  for (const std::size_t faces : {1'000'000u, 10'000'000u})
+    for (const std::size_t directions : {3u, 150u})
+      benchmark::RegisterBenchmark(
+          ("speedup" + pair("directions", directions) + pair("faces", faces)).c_str(), speedup,
+          faces, directions)
+          ->UseRealTime();
+
+  // The claim that the flat sum's time grows like N, at one number of directions.
+  const std::string best = targets.front();
+  benchmark::RegisterBenchmark(
+      "complexity/flat",
+      [best](benchmark::State& state) {
+        flat(state, {best, Precision::kDouble, static_cast<std::size_t>(state.range(0)), 150, 1});
+      })
+      ->RangeMultiplier(10)
+      ->Range(1000, 10'000'000)
+      ->Complexity(benchmark::oN);
+}
+
+}  // namespace rectilin::bench

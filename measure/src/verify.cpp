@@ -1,0 +1,254 @@
+// Written to be read by someone who trusts nothing: no tree of faces, no vector instructions, no code of the search.
+#include "rectilin/measure/verify.h"
+
+#include <Eigen/LU>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace rectilin {
+namespace {
+
+using Json = nlohmann::json;
+using Matrix3 = Eigen::Matrix3d;
+using Extended3 = Eigen::Matrix<long double, 3, 1>;
+
+/// All rounding in a bound, relative to S = 1. Three cuts: a block of kBlock faces is summed in double precision,
+/// kBlock 2^-53 each, everything else of a few roundoffs; then the polynomial's 27 coefficients.
+constexpr std::size_t kBlock = 1024;
+constexpr double kAllowance = 1e-12;
+static_assert(3 * (kBlock + 64) * 0x1p-53 < kAllowance / 2);
+
+constexpr double kHalfEdge = 0.41421356237309510;  // of the zone's cube, at least sqrt(2) - 1
+constexpr int kMostHalvings = 12;                  // of a leaf, until its bound shows
+
+/// Reason for refusing.
+struct Refusal {
+  std::string reason;
+};
+
+[[noreturn]] void refuse(std::string reason) { throw Refusal{std::move(reason)}; }
+
+struct Face {
+  double x, y, z;  // area vector, in units of the surface
+};
+
+/// Half the cross products of two edges, over their total length.
+std::vector<Face> area_vectors_of(const Mesh& mesh) {
+  std::vector<Extended3> vectors;
+  long double total = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Extended3 a = mesh.vertices[t[0]].cast<long double>(), b = mesh.vertices[t[1]].cast<long double>(),
+                    c = mesh.vertices[t[2]].cast<long double>();
+    const Extended3 e = b - a, f = c - a;
+    vectors.emplace_back(e.y() * f.z() - e.z() * f.y(), e.z() * f.x() - e.x() * f.z(), e.x() * f.y() - e.y() * f.x());
+    const Extended3& v = vectors.back();
+    total += std::sqrt(v.x() * v.x() + v.y() * v.y() + v.z() * v.z());
+  }
+  if (!(total > 0) || !std::isfinite(total)) refuse("the mesh has no finite, positive area");
+  std::vector<Face> faces;
+  for (const Extended3& v : vectors)
+    faces.push_back({static_cast<double>(v.x() / total), static_cast<double>(v.y() / total),
+                     static_cast<double>(v.z() / total)});
+  return faces;
+}
+
+/// sum s_i v_i, s_i = +-1 by the side of u the face is on: |x . v_i| >= s_i x . v_i for every x, even where rounding
+/// chose the side. So sum |x . v_i| is at least x . (the result).
+Eigen::Vector3d cut(const std::vector<Face>& faces, const Eigen::Vector3d& u) {
+  Extended3 total = Extended3::Zero();
+  for (std::size_t begin = 0; begin < faces.size(); begin += kBlock) {
+    Eigen::Vector3d block = Eigen::Vector3d::Zero();
+    for (std::size_t i = begin; i < std::min(begin + kBlock, faces.size()); ++i) {
+      const Face& v = faces[i];
+      const double side = u.x() * v.x + u.y() * v.y + u.z() * v.z < 0 ? -1 : 1;
+      block += side * Eigen::Vector3d(v.x, v.y, v.z);
+    }
+    total += block.cast<long double>();
+  }
+  return total.cast<double>();
+}
+
+/// A box of Rodrigues vectors rho; the rotation is ((1 - |rho|^2) I + 2 rho rho^T + 2 [rho]x) / (1 + |rho|^2).
+struct Part {
+  Eigen::Vector3d low, high;
+
+  Part half(int axis, bool upper) const {
+    Part part = *this;
+    (upper ? part.low : part.high)[axis] = 0.5 * (low[axis] + high[axis]);
+    return part;
+  }
+
+  /// The least |rho|_1 in the box exceeds 1.
+  bool outside_zone() const {
+    long double sum = 0;
+    for (int i = 0; i < 3; ++i) sum += std::max({0.0, low[i], -high[i]});
+    return sum > 1;
+  }
+};
+
+/// Is sum_k g_k . r_k(rho) >= bound on the box, g_k the rows of g? Multiplied by 1 + |rho|^2 it says that a polynomial,
+/// quadratic in each coordinate, is nonnegative. It is if its Bernstein coefficients on the box are: those are the
+/// values of its polar form, where x^2 becomes low^2, low * high or high^2 and x their mean.
+bool holds(const Matrix3& g, double bound, const Part& part, int halvings) {
+  const double trace = g.trace();
+  const Eigen::Vector3d linear(g(2, 1) - g(1, 2), g(0, 2) - g(2, 0), g(1, 0) - g(0, 1));
+  bool nonnegative = true;
+  for (int index = 0; index < 27; ++index) {
+    const std::array<int, 3> digit = {index % 3, index / 3 % 3, index / 9};
+    double x[3], square[3];
+    for (int i = 0; i < 3; ++i) {
+      const double a = digit[i] == 2 ? part.high[i] : part.low[i], b = digit[i] == 0 ? part.low[i] : part.high[i];
+      x[i] = 0.5 * (a + b);
+      square[i] = a * b;
+    }
+    double coefficient = trace - bound;
+    for (int i = 0; i < 3; ++i) {
+      coefficient += 2 * linear[i] * x[i] + (2 * g(i, i) - trace - bound) * square[i];
+      for (int j = 0; j < i; ++j) coefficient += 2 * (g(i, j) + g(j, i)) * x[i] * x[j];
+    }
+    nonnegative = nonnegative && coefficient >= 0;
+  }
+  if (nonnegative) return true;
+  if (halvings == 0) return false;
+  int longest = 0;
+  (part.high - part.low).maxCoeff(&longest);
+  return holds(g, bound, part.half(longest, false), halvings - 1) &&
+         holds(g, bound, part.half(longest, true), halvings - 1);
+}
+
+double number(const Json& json) {
+  if (!json.is_number()) refuse("a number is missing");
+  const double x = json.get<double>();
+  if (!std::isfinite(x)) refuse("a number is not finite");
+  return x;
+}
+
+Eigen::Vector3d vector(const Json& json) {
+  if (!json.is_array() || json.size() != 3) refuse("three numbers are missing");
+  return {number(json[0]), number(json[1]), number(json[2])};
+}
+
+/// The mixture of cuts of one axis of a leaf.
+Eigen::Vector3d mixture(const Json& terms, const std::vector<Eigen::Vector3d>& cuts, const std::string& where) {
+  if (!terms.is_array() || terms.size() % 2 != 0 || terms.empty()) refuse(where + ": an axis is not a list of pairs");
+  double sum = 0;
+  Eigen::Vector3d result = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < terms.size(); i += 2) {
+    if (!terms[i].is_number_unsigned() || terms[i].get<std::uint64_t>() >= cuts.size())
+      refuse(where + ": no such direction");
+    const double weight = number(terms[i + 1]);
+    if (!(weight >= 0)) refuse(where + ": a weight is negative");
+    sum += weight;
+    result += weight * cuts[terms[i].get<std::size_t>()];
+  }
+  if (!(std::abs(sum - 1) < 1e-9)) refuse(where + ": the weights do not add up to 1");
+  return result / sum;
+}
+
+/// Walks the tree, an explicit stack in the place of recursion. Every box is halved, checked or outside, so the leaves
+/// cover the zone when the stack is empty.
+std::size_t check_leaves(const std::string& tree, const Json& leaves, const std::vector<Eigen::Vector3d>& cuts,
+                         double lower) {
+  std::vector<Part> open = {{Eigen::Vector3d::Constant(-kHalfEdge), Eigen::Vector3d::Constant(kHalfEdge)}};
+  std::size_t leaf = 0;
+  for (const char node : tree) {
+    if (open.empty()) refuse("the tree goes on after its end");
+    const Part part = open.back();
+    open.pop_back();
+    if (node == 'x' || node == 'y' || node == 'z') {
+      open.push_back(part.half(node - 'x', true));
+      open.push_back(part.half(node - 'x', false));
+    } else if (node == 'o') {
+      if (!part.outside_zone()) refuse("a box said to be outside the zone is not");
+    } else if (node == 'l') {
+      const std::string where = "leaf " + std::to_string(leaf);
+      if (leaf >= leaves.size()) refuse(where + " is missing");
+      const Json& axes = leaves[leaf++];
+      if (!axes.is_array() || axes.size() != 3) refuse(where + ": three axes are missing");
+      Matrix3 g;
+      for (int k = 0; k < 3; ++k) g.row(k) = mixture(axes[k], cuts, where).transpose();
+      if (!holds(g, lower + kAllowance, part, kMostHalvings)) refuse(where + ": its bound does not hold");
+    } else {
+      refuse("the tree has an unknown node");
+    }
+  }
+  if (!open.empty()) refuse("the tree ends too early: a part of the zone is not covered");
+  if (leaf != leaves.size()) refuse("there are more leaves than the tree has");
+  return leaf;
+}
+
+/// P/S at the rotation, from above.
+double value_at(const std::vector<Face>& faces, const Matrix3& r) {
+  if (!((r * r.transpose() - Matrix3::Identity()).cwiseAbs().maxCoeff() < 1e-12) || !(r.determinant() > 0))
+    refuse("the rotation is not one");
+  long double sum = 0;
+  for (const Face& v : faces)
+    for (int k = 0; k < 3; ++k) sum += std::abs(r(k, 0) * v.x + r(k, 1) * v.y + r(k, 2) * v.z);
+  return static_cast<double>(sum) + 1e-11;  // the nearest true rotation may differ by the tolerance above
+}
+
+Verdict check(const Json& json, const Mesh& mesh) {
+  if (!json.is_object() || json.value("format", "") != "rectilin certificate") refuse("this is not a certificate");
+  if (json.value("version", 0) != 1) refuse("the certificate's version is not 1");
+  for (const char* key : {"mesh", "rotation", "value", "lower", "tree", "directions", "leaves"})
+    if (!json.contains(key)) refuse(std::string("'") + key + "' is missing");
+  if (json["mesh"] != mesh_digest(mesh)) refuse("the certificate is about another mesh");
+  const std::vector<Face> faces = area_vectors_of(mesh);
+
+  Matrix3 rotation;
+  if (!json["rotation"].is_array() || json["rotation"].size() != 3) refuse("the rotation is not three rows");
+  for (int k = 0; k < 3; ++k) rotation.row(k) = vector(json["rotation"][k]).transpose();
+  const double value = value_at(faces, rotation), lower = number(json["lower"]);
+  if (!(std::abs(value - number(json["value"])) < 1e-10)) refuse("the rotation does not have the value stated");
+  if (!(lower > 0)) refuse("the bound is not positive");
+
+  Verdict verdict;
+  if (!json["tree"].is_string() || !json["leaves"].is_array() || !json["directions"].is_array())
+    refuse("the tree, the leaves or the directions are malformed");
+  const std::string tree = json["tree"];
+  if (tree == "f") {  // |R v|_1 >= |v|, summed over the faces: P >= S
+    if (lower > 1) refuse("the bound exceeds the general one, which is all that is claimed");
+  } else {
+    std::vector<Eigen::Vector3d> cuts;
+    for (const Json& direction : json["directions"]) cuts.push_back(cut(faces, vector(direction)));
+    verdict.directions = cuts.size();
+    verdict.leaves = check_leaves(tree, json["leaves"], cuts, lower);
+  }
+  verdict.accepted = true;
+  verdict.lower = 3 / value - 2;
+  verdict.upper = 3 / lower - 2;
+  return verdict;
+}
+
+}  // namespace
+
+std::string mesh_digest(const Mesh& mesh) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const Triangle& triangle : mesh.triangles)
+    for (const std::uint32_t corner : triangle)
+      for (const double coordinate : mesh.vertices[corner]) {
+        auto bits = std::bit_cast<std::uint64_t>(coordinate);
+        for (int byte = 0; byte < 8; ++byte, bits >>= 8) hash = (hash ^ (bits & 0xff)) * 0x100000001b3u;
+      }
+  char text[32];
+  std::snprintf(text, sizeof text, "fnv1a64:%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+Verdict verify_certificate(std::string_view text, const Mesh& mesh) {
+  Verdict verdict;
+  try {
+    return check(Json::parse(text), mesh);
+  } catch (const Refusal& refusal) {
+    verdict.reason = refusal.reason;
+  } catch (const Json::exception&) {
+    verdict.reason = "the certificate is truncated or not JSON of the right shape";
+  }
+  return verdict;
+}
+
+}  // namespace rectilin

@@ -1,0 +1,182 @@
+#include "optima.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "bounder.h"
+#include "branch_and_bound.h"
+#include "descent.h"
+#include "kink_ball.h"
+
+namespace rectilin::bounding {
+namespace {
+
+constexpr double kDescendBelow = 0.01;  // half-edge of cells from which local searches start
+constexpr double kFinest = 1e-4;        // half-edge of cells that are not halved any more
+constexpr std::size_t kMostCells = 3000;  // beyond so many cells they stay as coarse as they are
+constexpr double kLeastBall = 1e-5;       // radians
+constexpr int kDescent = 40;
+constexpr double kStretched = 0.02;       // radians; a longer component is a continuum
+
+/// Cells of equal size, halved together until they are excluded, in the ball of a known minimum, or small.
+class Search {
+ public:
+  Search(Evaluator& evaluator, const CertifyOptions& options, double threshold)
+      : evaluator_(evaluator),
+        options_(options),
+        threshold_(threshold),
+        enough_(threshold + rounding_allowance(evaluator.objective().cut_bounds())),
+        bounder_(table_) {}
+
+  std::vector<Optimum> run() {
+    Candidate zone;
+    zone.cell.box = Box::zone();
+    open_ = {zone};
+    for (int level = 0; !open_.empty() && !evaluator_.exhausted(); ++level) {
+      evaluate();
+      std::erase_if(open_, [this](const Candidate& c) { return c.cell.bound >= enough_; });
+      const double half_edge = zone.cell.box.half_edges()[0] / static_cast<double>(1 << (level / 3));
+      if (half_edge < kDescendBelow) find_minima();
+      if (half_edge < kFinest || open_.size() > kMostCells) break;
+      halve(level % 3);
+    }
+    collect_components();
+    std::ranges::stable_sort(found_, {}, &Optimum::value);
+    return std::move(found_);
+  }
+
+ private:
+  struct Candidate {
+    Cell cell;
+    bool descended = false;
+  };
+
+  /// Cuts at the low points of the cells whose models are too low, all in one batch.
+  void evaluate() {
+    std::vector<Rotation> rotations;
+    std::vector<std::size_t> owners;
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      if (open_[i].cell.model >= enough_) continue;
+      owners.push_back(i);
+      rotations.push_back(rotation_from_rodrigues(open_[i].cell.low_point));
+    }
+    std::vector<Cut> cuts(rotations.size());
+    evaluator_.cuts(rotations, cuts);
+    for (std::size_t j = 0; j < owners.size(); ++j) {
+      Candidate& candidate = open_[owners[j]];
+      for (int k = 0; k < 3; ++k) {
+        candidate.cell.bundles[k].add(static_cast<std::uint32_t>(table_.size()), options_.bundle);
+        table_.push_back(cuts[j].gradient.row(k).transpose());
+      }
+      bounder_.raise(candidate.cell, enough_);
+    }
+  }
+
+  /// One local search from each cell; a minimum with a ball of its own takes the cells inside with it.
+  void find_minima() {
+    const Generators generators = evaluator_.objective().generators();
+    if (generators.size() == 0) return;
+    for (Candidate& candidate : open_) {
+      if (candidate.descended || balls_.holding(candidate.cell.box) >= 0) continue;
+      candidate.descended = true;
+      const Rotation start = rotation_from_rodrigues(candidate.cell.low_point);
+      const Incumbent minimum = descend(evaluator_, start, evaluator_.cut(start), kDescent, 0);
+      if (!(minimum.value <= threshold_)) continue;
+      const double angle = kink_ball(generators, minimum.rotation, minimum.value - 10 * kBallRounding);
+      if (angle < kLeastBall || is_known(minimum.rotation, angle)) continue;
+      balls_.add(minimum.rotation, angle);
+      centres_.push_back({minimum.rotation, angle});
+      found_.push_back({Optimum::Kind::kPoint, reduce_to_zone(minimum.rotation), minimum.value});
+    }
+    std::erase_if(open_, [this](const Candidate& c) { return balls_.holding(c.cell.box) >= 0; });
+  }
+
+  bool is_known(const Rotation& rotation, double angle) const {
+    return std::ranges::any_of(centres_, [&](const Centre& centre) {
+      return frame_angle(rotation, centre.rotation) < std::max(angle, centre.angle);
+    });
+  }
+
+  void halve(int axis) {
+    std::vector<Candidate> halves;
+    for (const Candidate& candidate : open_)
+      for (int side = 0; side < 2; ++side) {
+        Candidate half = candidate;
+        half.cell.box = candidate.cell.box.half(axis, side);
+        if (!half.cell.box.meets_zone() || balls_.holding(half.cell.box) >= 0) continue;
+        bounder_.raise(half.cell, enough_);
+        if (half.cell.bound < enough_) halves.push_back(half);
+      }
+    open_ = std::move(halves);
+  }
+
+  /// A cell that is left, or a minimum, on the way to becoming part of a component.
+  struct Piece {
+    Rotation centre;
+    Incumbent best;
+  };
+
+  /// Pieces that touch, also across the zone's faces where frames come back in another guise, are one component.
+  void collect_components() {
+    std::vector<Piece> pieces;
+    for (const Optimum& o : found_) pieces.push_back({o.rotation, {o.rotation, o.value}});
+    pieces.push_back({evaluator_.incumbent().rotation, evaluator_.incumbent()});
+    for (const Candidate& c : open_) {
+      const Rotation low = rotation_from_rodrigues(c.cell.low_point);
+      pieces.push_back({rotation_from_rodrigues(c.cell.box.centre()), {low, evaluator_.value(low)}});
+    }
+    found_.clear();
+    // Near the identity a cell of half-edges e is 4 |e| wide in radians, elsewhere less.
+    const double width = 4 * (open_.empty() ? kFinest : open_[0].cell.box.half_edges().norm());
+
+    std::vector<std::size_t> root(pieces.size());
+    std::iota(root.begin(), root.end(), std::size_t{0});
+    const auto find = [&root](std::size_t i) {
+      while (root[i] != i) i = root[i] = root[root[i]];
+      return i;
+    };
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (find(i) != find(j) && frame_angle(pieces[i].centre, pieces[j].centre) <= width) root[std::max(find(i), find(j))] = std::min(find(i), find(j));
+    for (std::size_t r = 0; r < pieces.size(); ++r) {
+      if (find(r) != r) continue;
+      std::vector<Piece> component;
+      for (std::size_t i = r; i < pieces.size(); ++i)
+        if (find(i) == r) component.push_back(pieces[i]);
+      found_.push_back(describe(component));
+    }
+  }
+
+  Optimum describe(const std::vector<Piece>& component) const {
+    double length = 0;
+    for (const Piece& piece : component) length = std::max(length, frame_angle(piece.centre, component[0].centre));
+    const Piece& best = *std::ranges::min_element(component, {}, [](const Piece& p) { return p.best.value; });
+    Optimum optimum{Optimum::Kind::kPossible, reduce_to_zone(best.best.rotation), best.best.value};
+    if (optimum.value <= threshold_)
+      optimum.kind = length > kStretched ? Optimum::Kind::kContinuum : Optimum::Kind::kPoint;
+    return optimum;
+  }
+
+  struct Centre {
+    Rotation rotation;
+    double angle;
+  };
+
+  Evaluator& evaluator_;
+  const CertifyOptions& options_;
+  double threshold_, enough_;
+  CutTable table_;
+  Bounder bounder_;
+  std::vector<Candidate> open_;
+  Balls balls_;
+  std::vector<Centre> centres_;
+  std::vector<Optimum> found_;
+};
+
+}  // namespace
+
+std::vector<Optimum> find_optima(Evaluator& evaluator, const CertifyOptions& options, double threshold) {
+  return Search(evaluator, options, threshold).run();
+}
+
+}  // namespace rectilin::bounding

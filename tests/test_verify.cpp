@@ -1,0 +1,82 @@
+// Proofs are accepted as written, and refused if anything in them is changed.
+#include "rectilin/measure/verify.h"
+
+#include <nlohmann/json.hpp>
+
+#include "catch.h"
+#include "rectilin/measure/projected_area.h"
+#include "rectilin/measure/source.h"
+#include "rectilin/optim/certify.h"
+
+using namespace rectilin;
+
+namespace {
+
+Json prove(const Mesh& mesh) {
+  const ProjectedArea objective(area_vectors(mesh));
+  Evaluator evaluator(objective);
+  Certificate certificate;
+  certify(evaluator, {}, &certificate);
+  return to_json(certificate, mesh_digest(mesh));
+}
+
+Mesh mesh_of(const std::string& shape) { return load_mesh("shape:" + shape).mesh; }
+
+void require_refused(const Json& proof, const Mesh& mesh, const std::string& reason) {
+  const Verdict verdict = verify_certificate(proof.dump(), mesh);
+  REQUIRE_FALSE(verdict.accepted);
+  REQUIRE_THAT(verdict.reason, Catch::Contains(reason));
+}
+
+}  // namespace
+
+TEST_CASE("verify accepts what certify proves", "[verify]") {
+  for (const char* spec : {"pyramid", "box?rotate=random", "cylinder?sides=64&rotate=random", "soup?faces=300",
+                           "blob?faces=2000", "prism?sides=7&scale=1e-40"}) {
+    INFO(spec);
+    const Mesh mesh = mesh_of(spec);
+    const Verdict verdict = verify_certificate(prove(mesh).dump(), mesh);
+    INFO(verdict.reason);
+    REQUIRE(verdict.accepted);
+    REQUIRE(verdict.upper - verdict.lower <= 1.001e-6);
+    REQUIRE(verdict.upper >= verdict.lower);
+  }
+}
+
+TEST_CASE("verify refuses a proof that was tampered with", "[verify]") {
+  const Mesh mesh = mesh_of("soup?faces=100");
+  const Json proof = prove(mesh);
+  REQUIRE(verify_certificate(proof.dump(), mesh).accepted);
+  const auto changed = [&proof](auto change) {
+    Json copy = proof;
+    change(copy);
+    return copy;
+  };
+  require_refused(proof, mesh_of("soup?faces=100&seed=2"), "another mesh");
+  require_refused(changed([](Json& p) { p["lower"] = p["lower"].get<double>() + 1e-6; }), mesh, "bound does not hold");
+  require_refused(changed([](Json& p) { p["value"] = p["value"].get<double>() - 1e-6; }), mesh, "value stated");
+  require_refused(changed([](Json& p) { p["leaves"].erase(5); }), mesh, "leaf");
+  require_refused(changed([](Json& p) { p["tree"] = p["tree"].get<std::string>() + "l"; }), mesh, "after its end");
+  require_refused(changed([](Json& p) { p["tree"].get_ref<std::string&>().pop_back(); }), mesh, "not covered");
+  require_refused(changed([](Json& p) { p["tree"].get_ref<std::string&>().back() = 'o'; }), mesh, "outside the zone");
+  require_refused(changed([](Json& p) { p["tree"] = "f"; }), mesh, "general one");
+  require_refused(changed([](Json& p) { p["tree"] = std::string(1000000, 'x'); }), mesh, "not covered");
+  require_refused(changed([](Json& p) { p["leaves"][3][1][1] = -1.0; }), mesh, "negative");
+  require_refused(changed([](Json& p) { p["leaves"][3][1][1] = 0.5; p["leaves"][3][1][0] = 1u << 30; }), mesh, "direction");
+  require_refused(changed([](Json& p) { p["leaves"][3][1][0] = -1; }), mesh, "direction");
+  require_refused(changed([](Json& p) { p["rotation"][0][0] = 2.0; }), mesh, "rotation");
+  require_refused(changed([](Json& p) { p["version"] = 2; }), mesh, "version");
+  require_refused(changed([](Json& p) { p["format"] = 7; }), mesh, "");
+  require_refused(changed([](Json& p) { p["directions"][0] = Json::array({1, 2}); }), mesh, "three numbers");
+  require_refused(changed([](Json& p) { p.erase("leaves"); }), mesh, "missing");
+}
+
+TEST_CASE("verify refuses every truncation without a crash", "[verify]") {
+  const Mesh mesh = mesh_of("pyramid");
+  const std::string text = prove(mesh).dump();
+  REQUIRE(verify_certificate(text, mesh).accepted);
+  for (std::size_t length = 0; length < text.size(); length += 1 + length / 50)
+    REQUIRE_FALSE(verify_certificate(text.substr(0, length), mesh).accepted);
+  for (const char* nonsense : {"", "[]", "null", "{}", "[[[[[[", "\"l\"", "{\"format\":\"rectilin certificate\",\"version\":1}"})
+    REQUIRE_FALSE(verify_certificate(nonsense, mesh).accepted);
+}
