@@ -11,7 +11,7 @@ failures=0
 expect() {
   local status=$1 pattern=$2 got; shift 2
   "$@" >out 2>err </dev/null; got=$?
-  if [ $got -ne "$status" ] || ! cat out err | grep -qE -- "$pattern"; then
+  if [ $got -ne "$status" ] || ! grep -qE -- "$pattern" out err; then
     echo "FAILED: $* (status $got, expected $status and /$pattern/)"; cat out err
     failures=$((failures + 1))
   fi
