@@ -9,6 +9,8 @@ function(rectilin_target name)
       -fno-sanitize-recover=all)
     # GCC's flow analysis gives false alarms inside Eigen under sanitizers; the release build keeps this warning.
     target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+    # Eigen pads its own allocations when it sees the sanitizer, pagmo's library does not: one rule for both.
+    target_compile_definitions(${name} PUBLIC EIGEN_MALLOC_ALREADY_ALIGNED=1)
     target_link_options(${name} PUBLIC -fsanitize=${RECTILIN_SANITIZE})
   endif()
 endfunction()
