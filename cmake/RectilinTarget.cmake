@@ -2,8 +2,7 @@
 function(rectilin_target name)
   target_compile_features(${name} PUBLIC cxx_std_20)
   target_compile_options(${name} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-    # False alarms inside std::string's operator+ (GCC bugs 105329, 105651).
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # false alarms in std::string's operator+ (GCC bug 105651)
     $<$<BOOL:${RECTILIN_WARNINGS_AS_ERRORS}>:-Werror>)
   if(RECTILIN_SANITIZE)
     target_compile_options(${name} PUBLIC -fsanitize=${RECTILIN_SANITIZE} -fno-omit-frame-pointer

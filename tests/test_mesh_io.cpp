@@ -69,7 +69,7 @@ std::string polygon(const std::vector<std::pair<double, double>>& corners) {
   std::string text, face = "f";
   for (const auto& [x, y] : corners) {
     text += "v " + std::to_string(x) + " " + std::to_string(y) + " 0\n";
-    face += " " + std::to_string(1 + std::count(text.begin(), text.end(), 'v') - 1);
+    face.append(" ").append(std::to_string(std::count(text.begin(), text.end(), 'v')));
   }
   return text + face + "\n";
 }
@@ -215,8 +215,8 @@ TEST_CASE("PLY binary: both byte orders, every line ending of the header") {
       }
       // The first byte of the body is a line feed, which must not be taken for half a line ending.
       for (const auto& [x, y] : {std::pair(0, 0), {2, 0}, {2, 3}, {0, 3}}) {
-        text += "\n" + raw(static_cast<float>(x), order) + raw(static_cast<double>(y), order) +
-                raw(static_cast<std::int16_t>(-7), order);
+        text.append("\n").append(raw(static_cast<float>(x), order));
+        text += raw(static_cast<double>(y), order) + raw(static_cast<std::int16_t>(-7), order);
       }
       text += raw(std::uint16_t{4}, order);
       for (std::uint32_t i = 0; i < 4; ++i) text += raw(i, order);
@@ -403,7 +403,7 @@ TEST_CASE("large polygons take time in proportion") {
       const double angle = 2 * std::numbers::pi * i / kCorners, radius = i % 2 == 0 ? 1.0 : inner;
       text += "v " + std::to_string(radius * std::cos(angle)) + " " +
               std::to_string(radius * std::sin(angle)) + " 0\n";
-      face += " " + std::to_string(i + 1);
+      face.append(" ").append(std::to_string(i + 1));
     }
     CHECK(obj(text + face).mesh.triangles.size() == kCorners - 2);
   }
