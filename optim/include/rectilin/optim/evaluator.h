@@ -94,7 +94,7 @@ class Evaluator {
   /// One point for every improvement of the incumbent or of the bound, and one for the first evaluation.
   const std::vector<TracePoint>& trace() const { return trace_; }
 
-  /// A digest of every value given, in the order asked for: equal digests, equal runs.
+  /// A digest of every value given (of values, cuts and turns; not of the smooth surrogate), in the order asked for.
   std::uint64_t digest() const { return digest_; }
 
  private:
