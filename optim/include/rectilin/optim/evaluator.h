@@ -13,10 +13,14 @@
 
 namespace rectilin {
 
-/// What a run may spend. A budget in evaluations gives the same result every time; one in seconds does not.
+/// What a run may spend. A budget in evaluations gives the same result every time; with one in seconds the clock
+/// decides where the same run ends.
 struct Budget {
   std::uint64_t evaluations = std::numeric_limits<std::uint64_t>::max();
   double seconds = std::numeric_limits<double>::infinity();
+
+  bool limits_evaluations() const { return evaluations < std::numeric_limits<std::uint64_t>::max(); }
+  bool limits_seconds() const { return seconds < std::numeric_limits<double>::infinity(); }
 };
 
 /// Costs in the one declared unit, an evaluation: the value of the objective at one rotation.
@@ -82,9 +86,12 @@ class Evaluator {
 
   /// Is the budget spent, the time over or a stop asked for? Then an optimizer returns.
   bool exhausted() const;
+  const Budget& budget() const { return budget_; }
   /// Evaluations left.
   std::uint64_t remaining() const;
+  /// Since the run began.
   double seconds() const;
+  double seconds_left() const { return budget_.seconds - seconds(); }
 
   bool has_incumbent() const { return incumbent_.value < std::numeric_limits<double>::infinity(); }
   const Incumbent& incumbent() const { return incumbent_; }
@@ -94,12 +101,13 @@ class Evaluator {
   /// One point for every improvement of the incumbent or of the bound, and one for the first evaluation.
   const std::vector<TracePoint>& trace() const { return trace_; }
 
-  /// A digest of every value given (of values, cuts and turns; not of the smooth surrogate), in the order asked for.
+  /// A digest of every value given (of values, cuts, turns and the smooth surrogate), in the order asked for.
   std::uint64_t digest() const { return digest_; }
 
  private:
   std::size_t affordable(std::size_t count, std::uint64_t price) const;
   void account(const Rotation& rotation, double value, std::uint64_t evaluations);
+  void digest(double value);
   void record(std::uint64_t evaluations);
 
   const Objective& objective_;
