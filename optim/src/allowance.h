@@ -24,6 +24,9 @@ class Allowance {
 
   std::uint64_t remaining() const { return end_ > spent_by_all() ? end_ - spent_by_all() : 0; }
 
+  /// Is time all that ends it?
+  bool timed() const { return timed_; }
+
   /// Is there no room for another evaluation at this price?
   bool spent(std::uint64_t price = Costs::kPerValue) const {
     return remaining() < price || evaluator_.exhausted();
@@ -54,7 +57,7 @@ class Allowance {
   }
 
   const Evaluator& evaluator_;
-  bool timed_;  // nothing but time ends it
+  bool timed_;
   std::uint64_t end_;
 };
 

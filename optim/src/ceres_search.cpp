@@ -51,6 +51,8 @@ void CeresOptions::bind(Parameters& table) {
 
 void CeresSearch::improve(const Rotation& start, Evaluator& evaluator, const Chart&,
                           Random&) const {
+  // Whatever cuts the search off, the objective itself has been asked for.
+  if (!evaluator.has_incumbent()) evaluator.value(start);
   Eigen::Quaterniond q = start.quaternion();
   ceres::GradientProblemSolver::Options solver;
   solver.logging_type = ceres::SILENT;

@@ -141,7 +141,10 @@ class NloptSearch : public OptimizerWith<NloptOptions> {
   }
 
   void run(Evaluator& evaluator, const Chart& chart, Random& random) const override {
-    search_from(start_of(evaluator, random), evaluator, chart, random);
+    const Rotation start = options_.algorithm->uses_start
+                               ? start_of(evaluator, random)
+                               : chart.from_unit(Eigen::Vector3d::Constant(0.5));
+    search_from(start, evaluator, chart, random);
   }
 
  protected:
@@ -153,6 +156,15 @@ class NloptSearch : public OptimizerWith<NloptOptions> {
     Eigen::Vector3d x = chart.coordinates(start);
     if (!options_.gradient()) return minimise(task, allowance.remaining(), x, chart, evaluator);
 
+    // Whatever cuts the search off, the objective itself has been asked for.
+    if (!evaluator.has_incumbent()) evaluator.value(start);
+    if (options_.algorithm->local()) descend(task, allowance, x, chart, evaluator);
+    else search_surrogate(task, allowance, x, chart, evaluator);
+  }
+
+ private:
+  void descend(Task& task, const Allowance& allowance, Eigen::Vector3d x, const Chart& chart,
+               const Evaluator& evaluator) const {
     const Graduation& widths = options_.graduation;
     for (int round = 0; round < widths.rounds; ++round) {
       task.smooth(widths.at(round));
@@ -161,7 +173,17 @@ class NloptSearch : public OptimizerWith<NloptOptions> {
     }
   }
 
- private:
+  /// The objective is asked for when a search has ended, so there has to be an end before the time is over.
+  void search_surrogate(Task& task, const Allowance& allowance, const Eigen::Vector3d& start,
+                        const Chart& chart, const Evaluator& evaluator) const {
+    int round = 0;
+    do {
+      task.smooth(options_.graduation.narrow);
+      minimise(task, allowance.plan(round++) / Costs::kPerSmooth, start, chart, evaluator);
+      task.settle();
+    } while (allowance.timed() && !allowance.spent());
+  }
+
   void minimise(Task& task, std::uint64_t calls, const Eigen::Vector3d& start, const Chart& chart,
                 const Evaluator& evaluator) const {
     if (calls == 0 || evaluator.exhausted()) return;
