@@ -64,6 +64,7 @@ class BranchAndBound {
   void sharpen(Cell& cell) const;
   void merge(Slot& slot);
   void settle(Cell& cell, const PerCut<double>& weight);
+  void settle_open_cells();
   void report();
 
   Evaluator& evaluator_;

@@ -25,7 +25,7 @@ Certificate certificate_of(const bounding::ProofTree& proof, const CertifyResult
   Certificate certificate;
   certificate.tree = "f";
   // Whoever recomputes the leaves' bounds rounds differently, so the claim is a little less than what was proved.
-  const double claim = result.lower - bounding::rounding_allowance(facts);
+  const double claim = std::min(result.lower, proof.bound()) - bounding::rounding_allowance(facts);
   certificate.lower = std::max(claim, facts.floor);
   if (claim > facts.floor) {
     certificate = proof.certificate();
@@ -49,7 +49,7 @@ CertifyResult certify(Evaluator& evaluator, const CertifyOptions& options, Certi
     result.incumbent = evaluator.incumbent();
     result.lower = std::min(result.lower, result.incumbent.value);
   }
-  if (proof && result.closed) *certificate = certificate_of(*proof, result, evaluator.objective().cut_bounds());
+  if (proof) *certificate = certificate_of(*proof, result, evaluator.objective().cut_bounds());
   if (options.optima && result.closed) {
     // A frame is within the gap if its merit is.
     const double best = result.incumbent.value;

@@ -69,8 +69,8 @@ struct CertifyResult {
 };
 
 /// Throws ParameterError if the objective has no cuts. With `certificate` the run records a proof that others can
-/// check; it then does without balls and minorants, which costs little but on nearly round meshes. The
-/// certificate is empty if the gap was not closed.
+/// check; it then does without balls and minorants, which costs little but on nearly round meshes. A run
+/// that is stopped before the gap is closed proves what it got to.
 CertifyResult certify(Evaluator& evaluator, const CertifyOptions& options, Certificate* certificate = nullptr);
 
 class Certify final : public OptimizerWith<CertifyOptions> {
