@@ -17,6 +17,7 @@ constexpr double kJitter = 1e-8, kJitterPerGap = 0.01;
 
 constexpr int kRetries = 3;                  // times new cuts may be tried before a cell is halved
 constexpr std::uint64_t kCellsBeforeBalls = 100;
+constexpr std::uint64_t kGeneratorsPerCell = 100;  // looked at for a ball in about the time of a cell, or less
 
 constexpr std::uint64_t kCellsBeforeMinorants = 1000;
 // What minorants on the sphere cost, in cells.
@@ -139,8 +140,11 @@ void BranchAndBound::update_cutoff() {
 }
 
 void BranchAndBound::update_balls() {
-  if (balls_are_current_ || !options_.balls || proof_ || generators_.size() == 0 || result_.cells < kCellsBeforeBalls) return;
+  if (balls_are_current_ || !options_.balls || proof_ || generators_.size() == 0) return;
+  // So that balls never take more than a part of the time; the ones from before hold all along.
+  if (result_.cells - cells_at_balls_ < std::max(kCellsBeforeBalls, generators_.size() / kGeneratorsPerCell)) return;
   balls_are_current_ = true;
+  cells_at_balls_ = result_.cells;
   balls_.clear();
   result_.ball_angle = kink_ball(generators_, evaluator_.incumbent().rotation, enough_);
   if (result_.ball_angle > 1e-6) balls_.add(evaluator_.incumbent().rotation, result_.ball_angle);
