@@ -9,7 +9,7 @@ namespace rectilin {
 const std::vector<Experiment>& experiments() {
   using namespace figures;
   static const std::vector<Experiment> all{
-      fig15(),
+      fig15(), gap(), shortfall(),
   };
   return all;
 }

@@ -10,6 +10,8 @@
 namespace rectilin::figures {
 
 Experiment fig15();
+Experiment gap();
+Experiment shortfall();
 
 /// An experiment from a struct of settings with `bind(Parameters&)` and `run(const
 /// ExperimentContext&) const`. `quick` are settings as after the '?' of a Spec: with them it takes
