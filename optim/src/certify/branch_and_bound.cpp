@@ -15,11 +15,12 @@ namespace {
 /// they are the same for everyone who recomputes the cut.
 constexpr double kJitter = 1e-8, kJitterPerGap = 0.01;
 
+constexpr std::size_t kOpenPerRound = 16, kGrowth = 16;  // a round takes a 16th of the open cells, up to 16 batches
 constexpr int kRetries = 3;                  // times new cuts may be tried before a cell is halved
 constexpr std::uint64_t kCellsBeforeBalls = 100;
 constexpr std::uint64_t kGeneratorsPerCell = 100;  // looked at for a ball in about the time of a cell, or less
 
-constexpr std::uint64_t kCellsBeforeMinorants = 1000;
+constexpr std::uint64_t kCellsBeforeMinorants = 20'000;  // by then the incumbent tells how flat it is
 // What minorants on the sphere cost, in cells.
 constexpr double kManyCells = 3e6, kCellsPerGenerator = 20;
 
@@ -77,8 +78,11 @@ bool BranchAndBound::stopped() const {
 }
 
 void BranchAndBound::take_round() {
+  // With many cells open, which of them come first matters less than threads at work.
+  const std::size_t batch = static_cast<std::size_t>(options_.batch);
+  const std::size_t most = std::clamp(heap_.size() / kOpenPerRound, batch, kGrowth * batch);
   round_.clear();
-  while (!heap_.empty() && std::ssize(round_) < options_.batch) {
+  while (!heap_.empty() && round_.size() < most) {
     Cell cell = heap_.pop();
     if (cell.bound >= enough_) {
       if (!proof_) {

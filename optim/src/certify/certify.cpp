@@ -10,7 +10,7 @@ void CertifyOptions::bind(Parameters& table) {
   table.real("gap", gap, 0, 10, "stop when the merit is known to within this")
       .integer("cells", cells, 0, 2'000'000'000, "stop after so many boxes of rotations; 0: no limit")
       .real("seconds", seconds, 0, 1e9, "stop after so much time; 0: no limit")
-      .integer("batch", batch, 1, 100'000, "boxes a round")
+      .integer("batch", batch, 1, 100'000, "boxes a round, or more where many are open")
       .integer("bundle", bundle, 1, bounding::Cell::kMaxBundle, "cuts kept on each axis of a box")
       .integer("descent", descent, 0, 1000, "steps of the local search from each better rotation")
       .flag("balls", balls, "certified balls round the incumbent")
