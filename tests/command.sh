@@ -9,6 +9,8 @@ expect 2 'subcommand' "$rectilin"
 expect 2 'source' "$rectilin" measure
 expect 2 'domain' "$rectilin" measure shape:box --domain moon
 expect 0 'population' "$rectilin" optimizers
+expect 0 'deterministic, .*needs smooth' "$rectilin" optimizers
+expect 0 '"name":"axis-sweep".*"capabilities":.*"needs_turns":true' "$rectilin" optimizers --json
 expect 0 '"name":"box"' "$rectilin" shapes --json
 
 expect 0 '^shape:box .* 3 .* 1\.0000000000' "$rectilin" measure -o grid shape:box
