@@ -33,11 +33,8 @@ void list(const Entries& entries, bool json, Capabilities capabilities) {
       std::cout << line.dump() << '\n';
       continue;
     }
-    std::cout << entry.name << "
-    " << entry.help << '
-';
-    if (!flags.empty()) std::cout << "    " << words(flags) << '
-';
+    std::cout << entry.name << "\n    " << entry.help << '\n';
+    if (!flags.empty()) std::cout << "    " << words(flags) << '\n';
     std::cout << settings_table(entry.parameters);
   }
 }
