@@ -74,12 +74,13 @@ Row measure_source(const std::string& source, const Optimizer& optimizer, const 
       row.run = run_optimizer(detailed, objective, settings);
       row.certified = detailed.result;
       if (row.certified) row.parallel_faces = parallel_faces(loaded.mesh, row.run.incumbent.rotation);
-      if (!proof.empty() && row.run.error.empty()) write_proof(proof, detailed.certificate, loaded.mesh);
+      if (!proof.empty() && row.run.error.empty() && std::isfinite(row.run.merit))
+        write_proof(proof, detailed.certificate, loaded.mesh);
     } else {
       row.run = run_optimizer(optimizer, objective, settings);
     }
     row.error = row.run.error;
-    if (row.error.empty() && row.run.costs.evaluations() == 0) row.error = "the budget ends before the first rotation";
+    if (row.error.empty() && !std::isfinite(row.run.merit)) row.error = "the budget ends before the first rotation";
   } catch (const std::exception& e) {
     row.error = e.what();
   }
