@@ -35,10 +35,7 @@ void list(const Entries& entries, bool json, Capabilities capabilities) {
     }
     std::cout << entry.name << "\n    " << entry.help << '\n';
     if (!flags.empty()) std::cout << "    " << words(flags) << '\n';
-    const Table table({{"", 14}, {"", 12}});
-    for (const auto& p : entry.parameters)
-      std::cout << "      " << table.row({p.name, p.value.is_string() ? p.value.template get<std::string>() : p.value.dump()})
-                << "   " << p.help << " (" << p.accepts << ")\n";
+    std::cout << settings_table(entry.parameters);
   }
 }
 
