@@ -1,8 +1,11 @@
-// What a cut, a smooth value and a best turn cost in values of the objective, the unit of every budget, on smooth and on
-// CAD-like meshes of several sizes, one thread, and what is declared (Costs in evaluator.h).
-// Usage: prices [INSTRUCTION_SET]    prints a table in Markdown; papers/laboratory.md quotes it.
+// What a cut, a smooth value and a best turn cost in values of the objective, the unit of every
+// budget, on smooth and on CAD-like meshes of several sizes, one thread, and what is declared
+// (Costs in evaluator.h). Prints a table in Markdown, which papers/laboratory.md quotes.
+//
+// Usage: prices [INSTRUCTION_SET]
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -30,24 +33,21 @@ double seconds_per_call(const Call& call) {
   constexpr double kStretch = 2e-4;
   constexpr int kStretches = 25;
   int next = 0;
-  const auto time = [&](int calls) {
-    const double start = thread_seconds();
-    for (int i = 0; i < calls; ++i) call(next++ % kRotations);
-    return thread_seconds() - start;
-  };
   int calls = 1;
-  while (time(calls) < kStretch) calls *= 2;
+  const auto stretch = [&] {
+    for (int i = 0; i < calls; ++i) call(next++ % kRotations);
+  };
+  while (Stopwatch(thread_seconds).time(stretch) < kStretch) calls *= 2;
   Stopwatch stopwatch(thread_seconds);
-  for (int i = 0; i < kStretches; ++i)
-    stopwatch.time([&] {
-      for (int c = 0; c < calls; ++c) call(next++ % kRotations);
-    });
+  for (int i = 0; i < kStretches; ++i) stopwatch.time(stretch);
   return stopwatch.median() / calls;
 }
 
 struct Prices {
   double value;  ///< seconds
-  double batched_value, cut, batched_cut, smooth, turn;  ///< in values; the batched cut in batched values
+  /// In values: a value in a batch, a cut alone and, in batched values, in a batch, a smooth value,
+  /// a turn.
+  std::array<double, 5> ratios;
 };
 
 Prices measure(const ProjectedArea& objective) {
@@ -57,20 +57,22 @@ Prices measure(const ProjectedArea& objective) {
   std::array<double, kBatch> values;
   std::array<Cut, kBatch> cuts;
   const auto value = [&](std::size_t count) {
-    return seconds_per_call([&](int i) { objective.values({&rotations[i], count}, {values.data(), count}); });
+    return seconds_per_call([&](int i) {
+      objective.values({&rotations[i], count}, {values.data(), count});
+    });
   };
   const auto cut = [&](std::size_t count) {
-    return seconds_per_call([&](int i) { objective.cuts({&rotations[i], count}, {cuts.data(), count}); });
+    return seconds_per_call([&](int i) {
+      objective.cuts({&rotations[i], count}, {cuts.data(), count});
+    });
   };
   Rotation at;
   const double one = value(1), batch = value(kBatch);
-  return {one,
-          batch / kBatch / one,
-          cut(1) / one,
-          cut(kBatch) / batch,
-          seconds_per_call([&](int i) { objective.smooth(rotations[i], 1e-3); }) / one,
-          // Turns come in chains, about one axis after the other.
-          seconds_per_call([&](int i) { at = objective.best_turn(i % 10 == 0 ? rotations[i] : at, i % 3).rotation; }) / one};
+  const double smooth = seconds_per_call([&](int i) { objective.smooth(rotations[i], 1e-3); });
+  const double turn = seconds_per_call([&](int i) {  // in chains, about one axis after the other
+    at = objective.best_turn(i % 10 == 0 ? rotations[i] : at, i % 3).rotation;
+  });
+  return {one, {batch / kBatch / one, cut(1) / one, cut(kBatch) / batch, smooth / one, turn / one}};
 }
 
 /// Mean of logarithms.
@@ -84,44 +86,41 @@ class GeometricMean {
   int count_ = 0;
 };
 
-void row(const std::string& name, double faces, const std::string& directions, const std::string& value,
-         const std::array<double, 5>& ratios) {
-  std::printf("| %s | %.0f | %s | %s |", name.c_str(), faces, directions.c_str(), value.c_str());
+void print(const std::array<double, 5>& ratios) {
   for (const double ratio : ratios) std::printf(" %.2f |", ratio);
   std::printf("\n");
 }
 
-std::string microseconds(double seconds) {
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.2f us", 1e6 * seconds);
-  return text.data();
-}
-
 /// About so many faces.
 std::string filleted_cube(double faces) {
-  return "filleted-cube?rotate=random&segments=" + std::to_string(std::lround(std::sqrt(faces / 48) - 0.5));
+  return "filleted-cube?rotate=random&segments=" +
+         std::to_string(std::lround(std::sqrt(faces / 48) - 0.5));
 }
 std::string blob(double faces) { return "blob?faces=" + std::to_string(std::lround(faces)); }
 
 void table() {
-  std::printf("| mesh | faces | directions | one value | value in a batch | cut | cut in a batch | smooth | turn |\n"
-              "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+  std::printf(
+      "| mesh | faces | directions | one value | value in a batch | cut | cut in a batch | smooth "
+      "| turn |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
   std::array<GeometricMean, 5> usual;
   for (const double faces : {300.0, 1000.0, 3000.0, 20'000.0, 300'000.0})
     for (const auto make : {blob, filleted_cube}) {
       const std::string spec = make(faces);
       const ProjectedArea objective(area_vectors(make_shape(Spec::parse(spec))));
-      const Prices p = measure(objective);
-      const std::array<double, 5> ratios = {p.batched_value, p.cut, p.batched_cut, p.smooth, p.turn};
-      row(spec.substr(0, spec.find('?')), static_cast<double>(objective.vectors().faces),
-          std::to_string(objective.vectors().size()), microseconds(p.value), ratios);
+      const Prices prices = measure(objective);
+      std::printf("| %s | %zu | %zu | %.2f us |", spec.substr(0, spec.find('?')).c_str(),
+                  objective.vectors().faces, objective.vectors().size(), 1e6 * prices.value);
+      print(prices.ratios);
       if (faces < kUsualLeast || faces > kUsualMost) continue;
-      for (std::size_t i = 0; i < ratios.size(); ++i) usual[i].add(ratios[i]);
+      for (std::size_t i = 0; i < usual.size(); ++i) usual[i].add(prices.ratios[i]);
     }
   std::printf("| geometric mean, %.0f to %.0f faces | | | |", kUsualLeast, kUsualMost);
-  for (const GeometricMean& mean : usual) std::printf(" %.2f |", mean.value());
-  std::printf("\n| declared | | | | %d | %d | %d | %d | %d |\n", int{Costs::kPerValue}, int{Costs::kPerCut},
-              int{Costs::kPerCut}, int{Costs::kPerSmooth}, int{Costs::kPerTurn});
+  std::array<double, 5> means;
+  std::ranges::transform(usual, means.begin(), &GeometricMean::value);
+  print(means);
+  std::printf("| declared | | | |");
+  print({Costs::kPerValue, Costs::kPerCut, Costs::kPerCut, Costs::kPerSmooth, Costs::kPerTurn});
 }
 
 }  // namespace

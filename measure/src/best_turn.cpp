@@ -1,10 +1,12 @@
-// The exact minimum over the turns about one axis of the frame: the planar problem of Zunic and Rosin (2003).
+// The exact minimum over the turns about one axis of the frame: the planar problem of Zunic and
+// Rosin (2003).
 //
 // Seen along the axis, an area vector has length rho and angle -psi. The frame turned by t, it adds
-// rho (|cos(t - psi)| + |sin(t - psi)|): period pi/2 in t, a kink at psi, concave elsewhere. So the sum has its minimum at a
-// kink, and sorting all kinks finds it. Most need no sorting: the quarter circle is divided into buckets, and merging the
-// vectors of a bucket into one changes nothing at the bucket's ends and only lowers the sum between them, where
-// the least is now at the merged vector's kink. A bucket whose least is above the sum at some bucket's end is done with.
+// rho (|cos(t - psi)| + |sin(t - psi)|): period pi/2 in t, a kink at psi, concave elsewhere. So the
+// sum has its minimum at a kink, and sorting all kinks finds it. Most need no sorting: the quarter
+// circle is divided into buckets, and merging the vectors of a bucket into one changes nothing at
+// the bucket's ends and only lowers the sum between them, where the least is now at the merged
+// vector's kink. A bucket whose least is above the sum at some bucket's end is done with.
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -24,9 +26,11 @@ struct Planar {
   Planar operator-(const Planar& o) const { return {x - o.x, y - o.y}; }
 };
 
-/// The sum at the angle of `at`, if `behind` is the sum of the vectors of smaller angle out of `total`: with (X, Y)
-/// over those behind and (U, V) over those ahead, X (c + s) + Y (s - c) + U (c - s) + V (s + c). Not a number for a
-/// vector that is nothing to the sum: of length zero, or so short that its square vanishes.
+/// The sum at the angle of `at`, if `behind` = (X, Y) is the sum of the vectors of smaller angle,
+/// and (U, V) that of the others, out of `total`:
+///     X (c + s) + Y (s - c) + U (c - s) + V (s + c).
+/// Not a number for a vector that is nothing to the sum: of length zero, or so short that its
+/// square vanishes.
 double sum_at(const Planar& at, const Planar& behind, const Planar& total) {
   return (at.x * (total.x + total.y - 2 * behind.y) + at.y * (total.y - total.x + 2 * behind.x)) /
          std::sqrt(at.x * at.x + at.y * at.y);
@@ -40,7 +44,8 @@ struct Least {
   }
 };
 
-/// Finding a bucket's least costs about as much as viewing so many vectors; a few buckets pay for any number.
+/// Finding a bucket's least costs about as much as viewing so many vectors; a few buckets pay for
+/// any number.
 constexpr std::size_t kPerBucket = 16, kFewBuckets = 16, kMostBuckets = 4096;
 /// Vectors viewed at a time, on the stack.
 constexpr std::size_t kBlock = 512;
@@ -56,13 +61,16 @@ class Buckets {
         view_{first, second, static_cast<double>(count_)},
         bucket_of_(vectors.size()),
         before_(count_ + 1) {
-    const std::size_t task = std::max(kTask, faces_.size / kMostTasks + 1), tasks = (faces_.size + task - 1) / task;
+    const std::size_t task = std::max(kTask, faces_.size / kMostTasks + 1);
+    const std::size_t tasks = (faces_.size + task - 1) / task;
     std::vector<std::vector<Planar>> parts(tasks);
     const auto sum_part = [&](std::size_t i) {
       parts[i] = sums(i * task, std::min((i + 1) * task, faces_.size));
     };
-    if (tasks > 1) tbb::parallel_for(std::size_t{0}, tasks, sum_part);
-    else sum_part(0);
+    if (tasks > 1)
+      tbb::parallel_for(std::size_t{0}, tasks, sum_part);
+    else
+      sum_part(0);
     for (std::size_t b = 0; b < count_; ++b) {
       before_[b + 1] = before_[b];
       for (const auto& part : parts) before_[b + 1] = before_[b + 1] + part[b];
@@ -123,7 +131,8 @@ class Buckets {
       if (std::none_of(&bucket_of_[begin], &bucket_of_[begin] + size, is_open)) continue;
       view_faces(faces_.slice(begin, begin + size), view_, x.data(), y.data(), bucket.data());
       for (std::size_t i = 0; i < size; ++i)
-        if (open[bucket[i]]) kinks.push_back({bucket[i], QuadrantView::place(x[i], y[i]), {x[i], y[i]}});
+        if (open[bucket[i]])
+          kinks.push_back({bucket[i], QuadrantView::place(x[i], y[i]), {x[i], y[i]}});
     }
     std::ranges::sort(kinks, [](const Kink& a, const Kink& b) {
       return a.bucket != b.bucket ? a.bucket < b.bucket : a.place < b.place;
@@ -151,9 +160,10 @@ class Buckets {
 }  // namespace
 
 BestTurn ProjectedArea::best_turn(const Rotation& rotation, int k) const {
-  const Planar at = Buckets(vectors_, rotation.axis((k + 1) % 3), rotation.axis((k + 2) % 3)).least().at;
-  // The running sums lose digits: the value returned is the one that values() gives there. The quaternion
-  // keeps long chains of turns orthonormal.
+  const Planar at =
+      Buckets(vectors_, rotation.axis((k + 1) % 3), rotation.axis((k + 2) % 3)).least().at;
+  // The running sums lose digits: the value returned is the one that values() gives there. The
+  // quaternion keeps long chains of turns orthonormal.
   const Vector3 turn = std::atan2(at.y, at.x) * Vector3::Unit(k);
   BestTurn best;
   best.rotation = Rotation::from_quaternion((rotation_from_vector(turn) * rotation).quaternion());

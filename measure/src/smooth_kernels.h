@@ -7,8 +7,8 @@
 
 namespace rectilin {
 
-/// Sums over some faces: of sqrt((r_k . v)^2 + e^2) over the rows r_k of a frame, with e = width |v|, and of
-/// their derivatives by the entries of the frame.
+/// Sums over some faces: of sqrt((r_k . v)^2 + e^2) over the rows r_k of a frame, with e = width
+/// |v|, and of their derivatives by the entries of the frame.
 struct SmoothSums {
   double value = 0;
   Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();

@@ -32,10 +32,10 @@ class Allowance {
     return remaining() < price || evaluator_.exhausted();
   }
 
-  /// The length to plan for when a search that must know it ahead (a cooling, a spiral) begins for the
-  /// `round`-th time, from 0: all that remains. If only time is limited, 10,000 evaluations, 20,000, 40,000
-  /// and so on: the clock decides where such a run ends, but not what it does until then, and its
-  /// last complete round had about a quarter of the time or more.
+  /// The length to plan for when a search that must know it ahead (a cooling, a spiral) begins for
+  /// the `round`-th time, from 0: all that remains. If only time is limited, 10,000 evaluations,
+  /// 20,000, 40,000 and so on: the clock decides where such a run ends, but not what it does until
+  /// then, and its last complete round had about a quarter of the time or more.
   std::uint64_t plan(int round) const {
     return timed_ ? kUnlimited << std::min(round, 40) : remaining();
   }

@@ -43,9 +43,11 @@ class Surrogate final : public ceres::FirstOrderFunction {
 }  // namespace
 
 void CeresOptions::bind(Parameters& table) {
-  bind_starts(table, starts,
-              "descents, the first from the incumbent, if there is one, the others from random rotations");
-  table.integer("iterations", iterations, 1, 1000000, "iterations of L-BFGS in each round, at most");
+  bind_starts(
+      table, starts,
+      "descents, the first from the incumbent, if there is one, the others from random rotations");
+  table.integer("iterations", iterations, 1, 1000000,
+                "iterations of L-BFGS in each round, at most");
   graduation.bind(table);
 }
 

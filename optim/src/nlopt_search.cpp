@@ -157,9 +157,11 @@ class NloptSearch : public OptimizerWith<NloptOptions> {
     if (!options_.gradient()) return minimise(task, allowance.remaining(), x, chart, evaluator);
 
     // Whatever cuts the search off, the objective itself has been asked for.
-    if (!evaluator.has_incumbent()) evaluator.value(start);
-    if (options_.algorithm->local()) descend(task, allowance, x, chart, evaluator);
-    else search_surrogate(task, allowance, x, chart, evaluator);
+    if (!evaluator.has_incumbent()) evaluator.value(chart.rotation(x));
+    if (options_.algorithm->local())
+      descend(task, allowance, x, chart, evaluator);
+    else
+      search_surrogate(task, allowance, x, chart, evaluator);
   }
 
  private:
@@ -173,7 +175,8 @@ class NloptSearch : public OptimizerWith<NloptOptions> {
     }
   }
 
-  /// The objective is asked for when a search has ended, so there has to be an end before the time is over.
+  /// The objective is asked for when a search has ended, so there has to be an end before the time
+  /// is over.
   void search_surrogate(Task& task, const Allowance& allowance, const Eigen::Vector3d& start,
                         const Chart& chart, const Evaluator& evaluator) const {
     int round = 0;
@@ -216,7 +219,8 @@ class NloptSearch : public OptimizerWith<NloptOptions> {
   /// Some algorithms go on asking after force_stop(), so they are told of the limits, too.
   void set_limits(nlopt::opt& opt, std::uint64_t calls, const Evaluator& evaluator) const {
     opt.set_xtol_abs(options_.tolerance);
-    if (evaluator.budget().limits_seconds()) opt.set_maxtime(std::max(1e-9, evaluator.seconds_left()));
+    if (evaluator.budget().limits_seconds())
+      opt.set_maxtime(std::max(1e-9, evaluator.seconds_left()));
     opt.set_maxeval(
         static_cast<int>(std::min<std::uint64_t>(calls, std::numeric_limits<int>::max())));
   }

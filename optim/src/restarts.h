@@ -11,15 +11,17 @@ inline void bind_starts(Parameters& table, int& starts, std::string what) {
   table.integer("starts", starts, 0, 1000000000, std::move(what));
 }
 
-/// Base of an optimizer that repeats its descent `options.starts` times, first from the incumbent, if there is
-/// one, then from random rotations. Derive, write improve(), and call it local if there is one start.
+/// Base of an optimizer that repeats its descent `options.starts` times, first from the incumbent,
+/// if there is one, then from random rotations. Derive, write improve(), and call it local if there
+/// is one start.
 template <class Options>
 class RestartedOptimizerWith : public LocalOptimizerWith<Options> {
  public:
   using LocalOptimizerWith<Options>::LocalOptimizerWith;
 
   void run(Evaluator& evaluator, const Chart& chart, Random& random) const final {
-    improve_from_starts(*this, this->options_.starts, /*from_incumbent=*/true, evaluator, chart, random);
+    improve_from_starts(*this, this->options_.starts, /*from_incumbent=*/true, evaluator, chart,
+                        random);
   }
 };
 
