@@ -9,7 +9,7 @@ namespace rectilin {
 const std::vector<Experiment>& experiments() {
   using namespace figures;
   static const std::vector<Experiment> all{
-      fig15(),
+      fig1(), fig5(), fig8(), fig9(), fig10(), fig15(),
   };
   return all;
 }
@@ -34,6 +34,11 @@ ExperimentOutcome run_experiment(const Experiment& experiment, const Json& setti
   std::filesystem::create_directories(folder);
   Json pictures = Json::array();
   std::vector<std::string> names;
+  for (const Sheet& sheet : result.sheets) {
+    sheet.data.write(folder / (sheet.name + ".csv"));
+    write_text(folder / (sheet.name + ".svg"), sheet.svg);
+    pictures.push_back({{"name", sheet.name}, {"caption", sheet.caption}, {"width", sheet.width}});
+  }
   for (const Plot& plot : result.plots) {
     plot.figure.write(folder, plot.name);
     names.push_back(plot.name);
@@ -45,7 +50,8 @@ ExperimentOutcome run_experiment(const Experiment& experiment, const Json& setti
                     {"seed", context.seed},          {"meshes", context.meshes},
                     {"data", result.data},           {"errors", result.errors},
                     {"pictures", pictures},          {"provenance", provenance(command_line)}};
-  write_text(folder / (experiment.name + ".json"), all.dump(1) + '\n');
+  // Names of files may be in no encoding at all: what is not UTF-8 is replaced.
+  write_text(folder / (experiment.name + ".json"), all.dump(1, ' ', false, Json::error_handler_t::replace) + '\n');
   return {result.says, result.errors, draw_all(folder, names)};
 }
 

@@ -9,6 +9,11 @@
 
 namespace rectilin::figures {
 
+Experiment fig1();
+Experiment fig5();
+Experiment fig8();
+Experiment fig9();
+Experiment fig10();
 Experiment fig15();
 
 /// An experiment from a struct of settings with `bind(Parameters&)` and `run(const

@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <cmath>
 #include <cstdio>
 #include <mutex>
 
@@ -17,12 +18,14 @@ namespace {
 Measured measure(const Specimen& specimen, std::stop_token stop) {
   Measured result;
   try {
-    const ProjectedArea objective(area_vectors(specimen.make()));
+    const Mesh mesh = specimen.make();
+    if (specimen.pictured) result.picture = thumbnail(mesh, *specimen.pictured);
+    const ProjectedArea objective(area_vectors(mesh));
     RunSettings settings;
     settings.stop = std::move(stop);
     const RunRecord run = run_optimizer(Certify(), objective, settings);
     if (run.outcome == RunRecord::Outcome::kStopped) throw Stopped();
-    if (!run.error.empty()) return {.error = run.error, .rotation = {}};
+    if (!run.error.empty()) throw MeshError(run.error);
     result.faces = objective.vectors().faces;
     result.directions = objective.vectors().size();
     result.rectilinearity = run.merit;
@@ -80,6 +83,23 @@ Json to_json(const std::vector<Specimen>& specimens, const std::vector<Measured>
   return list;
 }
 
+Sheet sheet(std::string name, std::string caption, const std::vector<Specimen>& specimens,
+            const std::vector<Measured>& results) {
+  Csv csv({"label", "origin", "error", "faces", "directions", "R", "lower", "upper"});
+  std::vector<SheetCell> cells;
+  for (std::size_t i = 0; i < specimens.size(); ++i) {
+    const Measured& r = results[i];
+    const bool known = r.error.empty();
+    const auto number = [known](double x) { return known ? x : NAN; };
+    csv.row({specimens[i].label, specimens[i].origin, r.error, r.faces, r.directions,
+             number(r.rectilinearity), number(r.lower), number(r.upper)});
+    if (specimens[i].pictured && known)
+      cells.push_back({r.picture, specimens[i].label, four_digits(r.rectilinearity)});
+  }
+  ContactSheet drawn = contact_sheet(cells);
+  return {std::move(name), std::move(caption), std::move(csv), std::move(drawn.svg), drawn.width};
+}
+
 std::vector<std::string> errors(const std::vector<Specimen>& specimens,
                                 const std::vector<Measured>& results) {
   std::vector<std::string> lines;
@@ -94,6 +114,12 @@ std::vector<std::string> errors(const std::vector<Specimen>& specimens,
 std::string four_digits(double rectilinearity) {
   char text[32];
   std::snprintf(text, sizeof text, "%.4f", rectilinearity);
+  return text;
+}
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
   return text;
 }
 

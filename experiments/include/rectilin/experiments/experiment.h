@@ -25,12 +25,21 @@ struct ExperimentContext {
       {};
 };
 
+/// A picture that is made at once: NAME.svg, with NAME.csv.
+struct Sheet {
+  std::string name, caption;
+  Csv data;
+  std::string svg;
+  int width;  ///< natural, in pixels
+};
+
 /// What came out. It depends on settings, meshes and seed alone, but for times where times are the
 /// subject.
 struct ExperimentResult {
   std::string says;                      ///< one line: the outcome beside what the paper reports
   Json data = Json::array();             ///< every number measured, for the JSON file
   std::vector<Plot> plots = {};          ///< the names begin with the experiment's
+  std::vector<Sheet> sheets = {};        ///< theirs, too
   std::vector<std::string> errors = {};  ///< a line for each mesh that could not be measured
 };
 
