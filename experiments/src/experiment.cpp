@@ -9,7 +9,7 @@ namespace rectilin {
 const std::vector<Experiment>& experiments() {
   using namespace figures;
   static const std::vector<Experiment> all{
-      fig1(), fig5(), fig8(), fig9(), fig10(), fig15(),
+      fig1(), fig5(), fig6(), fig7(), fig8(), fig9(), fig10(), fig11(), fig12(), fig13(), fig14(), fig15(),
   };
   return all;
 }

@@ -11,9 +11,15 @@ namespace rectilin::figures {
 
 Experiment fig1();
 Experiment fig5();
+Experiment fig6();
+Experiment fig7();
 Experiment fig8();
 Experiment fig9();
 Experiment fig10();
+Experiment fig11();
+Experiment fig12();
+Experiment fig13();
+Experiment fig14();
 Experiment fig15();
 
 /// An experiment from a struct of settings with `bind(Parameters&)` and `run(const
