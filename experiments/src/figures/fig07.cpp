@@ -124,7 +124,10 @@ struct Timing {
       csv.row(row);
     }
     Panel panel{.title = "",
-                .x = {.label = "faces", .logarithmic = true},
+                .x = {.label = "faces",
+                      .logarithmic = true,
+                      .lower = static_cast<double>(times.begin()->first),
+                      .upper = static_cast<double>(times.rbegin()->first)},
                 .y = {.label = "seconds of processor time", .logarithmic = true},
                 .bands = {},
                 .curves = {}};

@@ -16,15 +16,15 @@
 namespace rectilin::figures {
 namespace {
 
-Measured measure(const Specimen& specimen, std::stop_token stop) {
+Measured measure(const Specimen& specimen, const ExperimentContext& context) {
   Measured result;
   try {
     const Mesh mesh = specimen.make();
     if (specimen.pictured) result.picture = thumbnail(mesh, *specimen.pictured);
     const ProjectedArea objective(area_vectors(mesh));
     RunSettings settings;
-    settings.stop = std::move(stop);
-    const RunRecord run = run_optimizer(Certify(), objective, settings);
+    settings.stop = context.stop;
+    const RunRecord run = run_optimizer(Certify({.gap = context.gap}), objective, settings);
     if (run.outcome == RunRecord::Outcome::kStopped) throw Stopped();
     if (!run.error.empty()) throw MeshError(run.error);
     result.faces = objective.vectors().faces;
@@ -85,7 +85,7 @@ std::vector<Measured> measure_all(const std::vector<Specimen>& specimens,
     report(0, specimens[i].label);
     // A thread that waits for the loops inside one measurement must not begin another: memory would
     // grow.
-    tbb::this_task_arena::isolate([&] { results[i] = measure(specimens[i], context.stop); });
+    tbb::this_task_arena::isolate([&] { results[i] = measure(specimens[i], context); });
     report(1, specimens[i].label);
   });
   return results;

@@ -55,7 +55,7 @@ struct Measured {
   std::string picture;  ///< a PNG file if it was to be shown
 };
 
-/// R of each, certified to 1e-6, several at a time; the same for any number of threads. Throws
+/// R of each, certified, several at a time; the same for any number of threads. Throws
 /// Stopped.
 std::vector<Measured> measure_all(const std::vector<Specimen>& specimens,
                                   const ExperimentContext& context);
