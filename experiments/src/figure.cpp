@@ -74,6 +74,7 @@ std::string axis(const char* name, const Axis& a, bool small) {
   const double decades = a.logarithmic && a.upper > a.lower ? std::log10(a.upper / a.lower) : 0;
   if (small && decades > 4.5)
     text << "set " << name << "tics 1e" << (decades > 9 ? 4 : 2) << "\nunset m" << name << "tics\n";
+  else if (a.step > 0) text << "set " << name << "tics " << a.step << "\nset m" << name << "tics default\n";
   else if (decades > 7) text << "set " << name << "tics 100\nset m" << name << "tics 2\n";
   else text << "set " << name << "tics autofreq\nset m" << name << "tics default\n";
   if (a.upper > a.lower) text << "set " << name << "range [" << a.lower << ':' << a.upper << "]\n";

@@ -9,6 +9,17 @@
 
 namespace rectilin::figures {
 
+Experiment fig1();
+Experiment fig5();
+Experiment fig6();
+Experiment fig7();
+Experiment fig8();
+Experiment fig9();
+Experiment fig10();
+Experiment fig11();
+Experiment fig12();
+Experiment fig13();
+Experiment fig14();
 Experiment fig15();
 Experiment gap();
 Experiment shortfall();

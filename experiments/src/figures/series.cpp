@@ -1,9 +1,13 @@
 #include "series.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace rectilin::figures {
 namespace {
+
+constexpr std::size_t kShown = 8;  // pictures of meshes
 
 Plot curve(const Series& series, const MeasuredSeries& measured) {
   std::vector<std::string> columns = {series.axis.label, "R", "lower", "upper", "faces"};
@@ -18,7 +22,16 @@ Plot curve(const Series& series, const MeasuredSeries& measured) {
       row.push_back(other.error.empty() ? other.rectilinearity : NAN);
     csv.row(row);
   }
-  Panel panel{.title = "", .x = series.axis, .y = {.label = "R"}, .bands = {}, .curves = {}};
+  Axis x = series.axis;
+  if (x.logarithmic) {  // gnuplot's own choice are whole decades
+    x.lower = series.members.front().number;
+    x.upper = series.members.back().number;
+  }
+  Panel panel{.title = "",
+              .x = x,
+              .y = {.label = "R", .logarithmic = series.logarithmic},
+              .bands = {},
+              .curves = {}};
   for (std::size_t i = 0; i < series.compared.size(); ++i)
     panel.curves.push_back({.y = 6 + static_cast<int>(i),
                             .label = series.compared[i].label,
@@ -28,12 +41,29 @@ Plot curve(const Series& series, const MeasuredSeries& measured) {
   return {series.name, series.caption, Figure(series.title, csv, {panel})};
 }
 
+/// Marks the first, the last, and some evenly between them to be shown.
+void show_some(std::vector<Specimen>& specimens, std::size_t count) {
+  const std::size_t last = specimens.size() - 1, steps = std::min(count - 1, last);
+  for (std::size_t k = 0; k <= steps; ++k)
+    specimens[steps == 0 ? 0 : (k * last + steps / 2) / steps].pictured = Up::kZ;
+}
+
 }  // namespace
+
+std::string course(const std::vector<Measured>& members) {
+  const auto& order = &Measured::rectilinearity;
+  const char* verb = std::ranges::is_sorted(members, std::less(), order)      ? "rises"
+                     : std::ranges::is_sorted(members, std::greater(), order) ? "falls"
+                                                                              : "goes";
+  return std::string(verb) + " from " + four_digits(members.front().rectilinearity) + " to " +
+         four_digits(members.back().rectilinearity);
+}
 
 MeasuredSeries measure(const Series& series, const ExperimentContext& context) {
   std::vector<Specimen> all;
   for (const Series::Member& member : series.members) all.push_back(member.specimen);
-  all.insert(all.end(), series.compared.begin(), series.compared.end());
+  show_some(all, kShown - series.compared.size());
+  for (const Specimen& other : series.compared) all.push_back(other), all.back().pictured = Up::kZ;
   const std::vector<Measured> results = measure_all(all, context);
 
   MeasuredSeries measured;
@@ -44,6 +74,8 @@ MeasuredSeries measure(const Series& series, const ExperimentContext& context) {
   for (std::size_t i = 0; i < series.members.size(); ++i)
     measured.result.data[i][series.axis.label] = series.members[i].number;
   measured.result.errors = errors(all, results);
+  measured.result.sheets = {
+      sheet(series.name + "-meshes", "The meshes, or some of them, with their R.", all, results)};
   measured.result.plots = {curve(series, measured)};
   return measured;
 }

@@ -18,11 +18,20 @@ namespace rectilin {
 struct ExperimentContext {
   std::vector<std::string> meshes =
       {};                  ///< sources, see load_mesh(); if there are none it makes its own
-  std::uint64_t seed = 1;  ///< of everything random
+  std::uint64_t seed = 1;                ///< of everything random
+  double gap = 1e-6;                     ///< width to which R is certified
   std::stop_token stop = {};
   /// Called from any thread, one at a time, with what is done of how much, and what goes on.
   std::function<void(std::size_t done, std::size_t total, const std::string& text)> on_progress =
       {};
+};
+
+/// A picture that is made at once: NAME.svg, with NAME.csv.
+struct Sheet {
+  std::string name, caption;
+  Csv data;
+  std::string svg;
+  int width;  ///< natural, in pixels
 };
 
 /// What came out. It depends on settings, meshes and seed alone, but for times where times are the
@@ -31,6 +40,7 @@ struct ExperimentResult {
   std::string says;                      ///< one line: the outcome beside what the paper reports
   Json data = Json::array();             ///< every number measured, for the JSON file
   std::vector<Plot> plots = {};          ///< the names begin with the experiment's
+  std::vector<Sheet> sheets = {};        ///< theirs, too
   std::vector<std::string> errors = {};  ///< a line for each mesh that could not be measured
 };
 
