@@ -21,6 +21,8 @@ Experiment fig12();
 Experiment fig13();
 Experiment fig14();
 Experiment fig15();
+Experiment gap();
+Experiment shortfall();
 
 /// An experiment from a struct of settings with `bind(Parameters&)` and `run(const
 /// ExperimentContext&) const`. `quick` are settings as after the '?' of a Spec: with them it takes
