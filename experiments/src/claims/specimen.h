@@ -1,0 +1,54 @@
+// A mesh under test, with what most claims need of it.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "rectilin/measure/projected_area.h"
+#include "rectilin/optim/rotation.h"
+
+namespace rectilin::claims_detail {
+
+/// Certified bounds of the least P/S: found <= P/S at `rotation`, up to rounding, and no rotation has less than `lower`.
+struct Enclosure {
+  Rotation rotation = {};
+  double found = 0;
+  double lower = 0;
+
+  double least_r() const { return rectilinearity(found); }
+  double greatest_r() const { return rectilinearity(lower); }
+};
+
+/// Encloses the least P/S by branch and bound. A mesh so round that it takes more than kCells boxes keeps the bounds
+/// reached until then; they are proved all the same.
+Enclosure enclose(const ProjectedArea& objective, double gap = 1e-6);
+Enclosure enclose(const Mesh& mesh, double gap = 1e-6);
+
+inline constexpr int kCells = 200'000;
+
+struct Specimen {
+  std::string source;
+  std::shared_ptr<const Mesh> mesh;
+  std::shared_ptr<const ProjectedArea> objective;
+  Enclosure best;
+
+  const AreaVectors& vectors() const { return objective->vectors(); }
+};
+
+/// Throws what load_mesh() and area_vectors() throw.
+Specimen make_specimen(const std::string& source);
+Specimen make_specimen(Mesh mesh, std::string name);
+
+/// P/S at one rotation.
+double ratio_at(const Objective& objective, const Rotation& rotation);
+
+/// Error of P/S where area vectors have been computed in double precision: the rounding of edges and cross products
+/// over S. Large only for meshes of slivers. With `moved`, that of coordinates rounded anew (after a rotation) as well:
+/// large for a mesh far from the origin.
+double coordinate_rounding(const Mesh& mesh, double area, bool moved = false);
+
+/// How far R can move if the area vectors change by eta S in total, eta < 1: at most 3 (1 + sqrt(3)) eta / (1 - eta)
+/// (papers/closed-forms.md, "Stability"). Infinite from eta = 1 on.
+double r_change_bound(double eta);
+
+}  // namespace rectilin::claims_detail
