@@ -24,6 +24,6 @@ Finding check_mean(const Specimen& specimen);
 
 /// What check_mean() averages over: points spread evenly over the upper half of the sphere, enough for h is even.
 std::vector<Vector3> spread_directions(int count);
-inline constexpr int kDirections = 1000;
+inline constexpr int kDirections = 3000;
 
 }  // namespace rectilin::claims_detail

@@ -7,7 +7,10 @@
 namespace rectilin::claims_detail {
 
 /// Eq. (28) on a mesh in the pose it has: negative if R on the box [0, pi/2]^3 is certified to fall short of R.
-std::optional<Finding> check_paper_box(const Specimen& specimen, Random random);
+Finding check_paper_box(const Specimen& specimen);
+
+/// The same for the mesh in a random pose: its R has not changed, but the box is another one.
+Finding check_paper_box_in_another_pose(const Specimen& specimen, Random random);
 
 /// Eq. (28) on cubes in random poses.
 std::vector<Finding> check_cubes_on_paper_box(Random random);
