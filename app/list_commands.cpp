@@ -19,11 +19,7 @@ void list(const Entries& entries, bool json) {
       std::cout << Json{{"name", entry.name}, {"help", entry.help}, {"parameters", parameters}}.dump() << '\n';
       continue;
     }
-    std::cout << entry.name << "\n    " << entry.help << '\n';
-    const Table table({{"", 14}, {"", 12}});
-    for (const auto& p : entry.parameters)
-      std::cout << "      " << table.row({p.name, p.value.is_string() ? p.value.template get<std::string>() : p.value.dump()})
-                << "   " << p.help << " (" << p.accepts << ")\n";
+    std::cout << entry.name << "\n    " << entry.help << '\n' << settings_table(entry.parameters);
   }
 }
 

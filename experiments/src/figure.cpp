@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <tbb/parallel_for_each.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,6 +13,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <mutex>
+#include <set>
 #include <sstream>
 
 extern char** environ;
@@ -90,7 +93,7 @@ std::string plot(const Panel& panel, double width) {
   for (const auto& curve : panel.curves) {
     next();
     text << "'@NAME@.csv' skip 1 using " << curve.x << ':' << curve.y << " with "
-         << (curve.steps ? "steps " : "lines ")
+         << (curve.steps ? "steps " : curve.points ? "linespoints pt 7 ps 0.6 " : "lines ")
          << (curve.faint ? "lc rgb '#c8c8c8' lw 1 dt solid" : line(curve.style, width));
     if (curve.label.empty()) text << " notitle";
     else text << " title " << quoted(shortened(curve.label, kLegend)) << " noenhanced";
@@ -252,6 +255,20 @@ void draw(const std::filesystem::path& folder, const std::string& name) {
   const std::string message = WIFEXITED(status) && WEXITSTATUS(status) == 0 ? "" : first_message(folder / log);
   std::filesystem::remove(folder / log);
   if (!message.empty()) throw FigureError("gnuplot: " + message);
+}
+
+std::vector<std::string> draw_all(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+  std::mutex mutex;
+  std::set<std::string> troubles;
+  tbb::parallel_for_each(names, [&](const std::string& name) {
+    try {
+      draw(folder, name);
+    } catch (const FigureError& e) {
+      const std::lock_guard lock(mutex);
+      troubles.insert(e.what());
+    }
+  });
+  return {troubles.begin(), troubles.end()};
 }
 
 }  // namespace rectilin
