@@ -56,9 +56,7 @@ Finding check_similarity(const Specimen& specimen, Random random) {
   const double rounding =
       r_change_bound(coordinate_rounding(*moved, area * scale * scale, /*moved=*/true));
   const Enclosure after = enclose(*moved);
-  const Enclosure& before = specimen.best;
-  const double overlap = std::min(before.greatest_r(), after.greatest_r()) - std::max(before.least_r(), after.least_r());
-  return {std::min(overlap + rounding, 0.0), specimen.source + ", moved", std::move(moved), after.rotation, {}};
+  return {std::min(rounding - distance(specimen.best, after), 0.0), specimen.source + ", moved", std::move(moved), after.rotation, {}};
 }
 
 std::vector<Finding> check_octahedral_spheres(Random) {

@@ -1,6 +1,7 @@
 #include "specimen.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -19,6 +20,10 @@ Enclosure enclose(const ProjectedArea& objective, double gap) {
 }
 
 Enclosure enclose(const Mesh& mesh, double gap) { return enclose(ProjectedArea(area_vectors(mesh)), gap); }
+
+double distance(const Enclosure& a, const Enclosure& b) {
+  return std::max({0.0, a.least_r() - b.greatest_r(), b.least_r() - a.greatest_r()});
+}
 
 Specimen make_specimen(Mesh mesh, std::string name) {
   auto objective = std::make_shared<const ProjectedArea>(area_vectors(mesh), name);

@@ -24,6 +24,9 @@ struct Enclosure {
 Enclosure enclose(const ProjectedArea& objective, double gap = 1e-6);
 Enclosure enclose(const Mesh& mesh, double gap = 1e-6);
 
+/// Least distance between a number of the one interval of R and one of the other: 0 if they overlap.
+double distance(const Enclosure& a, const Enclosure& b);
+
 inline constexpr int kCells = 200'000;
 
 struct Specimen {

@@ -7,6 +7,7 @@
 #include "lemma1.h"
 #include "range_of_r.h"
 #include "rectilinear.h"
+#include "robustness.h"
 #include "search_cost.h"
 #include "search_domain.h"
 
@@ -46,6 +47,12 @@ const std::vector<ClaimTest>& claim_tests() {
       {"linear-cost", nullptr, check_linear_cost},
       {"stable-150", [](S s, Random r) -> Found { return check_stable(s, std::move(r)); }, check_stable_on_shapes, 0.5},
       {"stable-150-always", nullptr, check_always_stable},
+      {"stability", [](S s, Random r) -> Found { return check_stability(s, std::move(r)); }},
+      {"noise-at-any-scale", nullptr, check_noise_on_fine_box},
+      {"deletion", check_deletion, check_deletion_on_large_shapes},
+      {"deletion-law", check_deletion_law},
+      {"deletion-small", nullptr, check_deletion_on_small_shape},
+      {"simplification", nullptr, check_simplification},
       {"pyramid", nullptr, check_pyramid},
       {"stepped-pyramid", nullptr, check_stepped_pyramids},
       {"closed-forms", nullptr, check_closed_forms},
