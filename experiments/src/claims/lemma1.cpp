@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "inequalities.h"
@@ -40,24 +41,24 @@ Finding check_not_constant(const Specimen& specimen, Random random) {
   return {greatest.ratio - specimen.best.found, specimen.source, nullptr, greatest.rotation, {}};
 }
 
-Finding check_second_difference(const Specimen& specimen, Random random) {
-  const AreaVectors& vectors = specimen.vectors();
-  const Rotation frame = random_rotation(random);
-  const Interval interval = longest_without_kinks(vectors, frame);
-  const double middle = interval.begin + interval.length / 2, step = 0.4 * interval.length;
-  const std::array<Rotation, 3> rotations{turned_by(middle - step, frame), turned_by(middle, frame),
-                                          turned_by(middle + step, frame)};
+double second_difference_error(const ProjectedArea& objective, const Rotation& middle, double step) {
+  const std::array<Rotation, 3> rotations{turned_by(-step, middle), middle, turned_by(step, middle)};
   std::array<double, 3> p{};
-  specimen.objective->values(rotations, p);
-  const Vector3 axis = frame.axis(2);
+  objective.values(rotations, p);
+  const Vector3 axis = middle.axis(2);
   double h = 0;
-  FlatSum(vectors).values({&axis, 1}, {&h, 1});
-
+  FlatSum(objective.vectors()).values({&axis, 1}, {&h, 1});
   const double second = p[0] + p[2] - 2 * p[1];
-  const double expected = -4 * std::pow(std::sin(step / 2), 2) * (p[1] - h / vectors.total);
-  Finding finding{-std::abs(second - expected), specimen.source, nullptr, rotations[1], {}};
-  if (!(expected < 0)) finding.margin = -1;
-  return finding;
+  const double expected = -4 * std::pow(std::sin(step / 2), 2) * (p[1] - h / objective.vectors().total);
+  return expected < 0 ? std::abs(second - expected) : std::numeric_limits<double>::infinity();
+}
+
+Finding check_second_difference(const Specimen& specimen, Random random) {
+  const Rotation frame = random_rotation(random);
+  const Interval interval = longest_without_kinks(specimen.vectors(), frame);
+  const Rotation middle = turned_by(interval.begin + interval.length / 2, frame);
+  const double error = second_difference_error(*specimen.objective, middle, 0.4 * interval.length);
+  return {-error, specimen.source, nullptr, middle, {}};
 }
 
 }  // namespace rectilin::claims_detail
