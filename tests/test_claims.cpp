@@ -47,7 +47,7 @@ TEST_CASE("papers/claims.md holds the ledger's table", "[claims]") {
   std::ifstream in(kRoot / "papers/claims.md");
   std::ostringstream text;
   text << in.rdbuf();
-  // If this fails: rectilin validate --markdown, and its output into the file.
+  // If this fails, replace the table there by what `rectilin validate --markdown` prints.
   REQUIRE(text.str().find(claims_markdown()) != std::string::npos);
 }
 

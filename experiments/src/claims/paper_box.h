@@ -15,6 +15,6 @@ bool in_paper_box(const Rotation& rotation);
 /// symmetric part, any rotation E R0 with E by an angle of at most d <= pi/2 has
 ///     P >= P(R0) - sin d |w| - (1 - cos d) (P(R0) - lambda),
 /// and the angle from a cell's centre to its points is at most sqrt((a + c)^2 + b^2) for half-edges a, b, c.
-Enclosure enclose_on_paper_box(const Objective& objective, double gap = 1e-6, int cells = kCells);
+Enclosure enclose_on_paper_box(const Objective& objective, double gap = 1e-6, int cells = 200'000);
 
 }  // namespace rectilin::claims_detail

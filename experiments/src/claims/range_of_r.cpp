@@ -17,7 +17,7 @@ Finding sphere_finding(const std::vector<std::string>& sources) {
   for (const std::string& source : sources) {
     const ProjectedArea objective(area_vectors(load_mesh(source).mesh));
     const auto faces = static_cast<double>(objective.vectors().faces);
-    const Enclosure best = enclose(objective, 0.05 / faces);
+    const Enclosure best = enclose(objective, 0.05 / faces, 200'000);
     x.push_back(std::log(faces));
     y.push_back(std::log(best.greatest_r()));
     finding.where = source;

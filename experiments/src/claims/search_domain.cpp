@@ -11,11 +11,14 @@ namespace rectilin::claims_detail {
 namespace {
 
 /// What the box loses for an objective whose least value is enclosed by `best`.
-Finding loss_on_paper_box(const Objective& objective, const Enclosure& best) {
+Finding loss_on_paper_box(const ProjectedArea& objective, const Enclosure& best) {
   Finding finding{.margin = 0, .rotation = best.rotation};
   // Where the box holds the best frame of all there is nothing to search.
   if (in_paper_box(best.rotation)) return finding;
-  const Enclosure on_box = enclose_on_paper_box(objective);
+  // This search is a plain one. On large meshes, whose bounds cost more, it may end early with an upper bound that proves
+  // less of a loss, or none.
+  const auto cells = static_cast<int>(std::clamp(2e9 / static_cast<double>(objective.vectors().size()), 2e3, 2e5));
+  const Enclosure on_box = enclose_on_paper_box(objective, 1e-6, cells);
   finding.margin = std::min(on_box.greatest_r() - best.least_r(), 0.0);
   finding.note = "R = " + std::to_string(best.least_r()) + ", on the box from " + std::to_string(on_box.least_r()) +
                  " to " + std::to_string(on_box.greatest_r());

@@ -10,11 +10,11 @@
 
 namespace rectilin::claims_detail {
 
-Enclosure enclose(const ProjectedArea& objective, double gap) {
+Enclosure enclose(const ProjectedArea& objective, double gap, int cells) {
   Evaluator evaluator(objective);
   CertifyOptions options;
   options.gap = gap;
-  options.cells = kCells;
+  options.cells = cells;
   const CertifyResult result = certify(evaluator, options);
   return {result.incumbent.rotation, result.incumbent.value, result.lower};
 }

@@ -19,15 +19,16 @@ struct Enclosure {
   double greatest_r() const { return rectilinearity(lower); }
 };
 
-/// Encloses the least P/S by branch and bound. A mesh so round that it takes more than kCells boxes keeps the bounds
-/// reached until then; they are proved all the same.
-Enclosure enclose(const ProjectedArea& objective, double gap = 1e-6);
+/// Boxes of rotations that a search may look at. Ordinary meshes need some thousands; nearly round ones (R < 0.01) keep the
+/// bounds reached until then, which are proved all the same.
+inline constexpr int kCells = 30'000;
+
+/// Encloses the least P/S by branch and bound, R to within `gap`.
+Enclosure enclose(const ProjectedArea& objective, double gap = 1e-6, int cells = kCells);
 Enclosure enclose(const Mesh& mesh, double gap = 1e-6);
 
 /// Least distance between a number of the one interval of R and one of the other: 0 if they overlap.
 double distance(const Enclosure& a, const Enclosure& b);
-
-inline constexpr int kCells = 200'000;
 
 struct Specimen {
   std::string source;
