@@ -20,6 +20,7 @@ struct ExperimentOptions {
   std::vector<std::string> meshes;
   std::string out = "experiments";
   std::uint64_t seed = 1;
+  std::optional<double> gap;
   int threads = 0;
   bool quick = false;
 };
@@ -47,6 +48,8 @@ class Runner {
       : options_(options), command_line_(std::move(command_line)) {
     context_.meshes = expand_folders(options.meshes);
     context_.seed = options.seed;
+    if (options.quick) context_.gap = 1e-4;
+    if (options.gap) context_.gap = *options.gap;
     context_.stop = stop_on_interrupt();
   }
 
@@ -117,7 +120,10 @@ void add_experiment_command(CLI::App& app, int& status, int argc, const char* co
   command->add_option("-O,--out", options->out, "Folder for everything")->capture_default_str();
   command->add_option("-s,--seed", options->seed, "Seed of everything random")
       ->capture_default_str();
-  command->add_flag("-q,--quick", options->quick, "Small: about a second for each experiment");
+  command->add_option("-g,--gap", options->gap, "Width to which R is certified (default: 1e-6)")
+      ->check(CLI::NonNegativeNumber);
+  command->add_flag("-q,--quick", options->quick,
+                    "Small: about a second for each experiment, and a gap of 1e-4");
   command
       ->add_option("-t,--threads", options->threads,
                    "Threads (default: all); the answer is the same for any")

@@ -9,7 +9,9 @@ namespace rectilin {
 const std::vector<Experiment>& experiments() {
   using namespace figures;
   static const std::vector<Experiment> all{
-      fig1(), fig5(), fig8(), fig9(), fig10(), fig15(),
+      fig1(),  fig5(),  fig6(),  fig7(),  fig8(),  fig9(),
+      fig10(), fig11(), fig12(), fig13(), fig14(), fig15(),
+      gap(),   shortfall(),
   };
   return all;
 }
@@ -45,13 +47,20 @@ ExperimentOutcome run_experiment(const Experiment& experiment, const Json& setti
     pictures.push_back(
         {{"name", plot.name}, {"caption", plot.caption}, {"width", plot.figure.width()}});
   }
-  const Json all = {{"experiment", experiment.name}, {"title", experiment.title},
-                    {"says", result.says},           {"settings", settings},
-                    {"seed", context.seed},          {"meshes", context.meshes},
-                    {"data", result.data},           {"errors", result.errors},
-                    {"pictures", pictures},          {"provenance", provenance(command_line)}};
+  const Json all = {{"experiment", experiment.name},
+                    {"title", experiment.title},
+                    {"says", result.says},
+                    {"settings", settings},
+                    {"seed", context.seed},
+                    {"gap", context.gap},
+                    {"meshes", context.meshes},
+                    {"data", result.data},
+                    {"errors", result.errors},
+                    {"pictures", pictures},
+                    {"provenance", provenance(command_line)}};
   // Names of files may be in no encoding at all: what is not UTF-8 is replaced.
-  write_text(folder / (experiment.name + ".json"), all.dump(1, ' ', false, Json::error_handler_t::replace) + '\n');
+  write_text(folder / (experiment.name + ".json"),
+             all.dump(1, ' ', false, Json::error_handler_t::replace) + '\n');
   return {result.says, result.errors, draw_all(folder, names)};
 }
 

@@ -16,8 +16,9 @@ using html::paragraph;
 
 std::string picture(const Json& about, const fs::path& folder) {
   const std::string name = about.at("name"), caption = about.at("caption");
-  const std::string files =
-      "Data: " + link(name + ".csv", "CSV") + ", " + link(name + ".gp", "gnuplot") + ".";
+  std::string files = "Data: " + link(name + ".csv", "CSV");
+  if (fs::exists(folder / (name + ".gp"))) files += ", " + link(name + ".gp", "gnuplot");
+  files += ".";
   if (!fs::exists(folder / (name + ".svg")))
     return paragraph("(No picture.) " + escape(caption) + " " + files);
   return html::picture(name + ".svg", caption, files, about.at("width"));

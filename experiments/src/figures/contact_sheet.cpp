@@ -37,9 +37,7 @@ std::string shortened(const std::string& name) {
 
 }  // namespace
 
-ContactSheet contact_sheet(const std::vector<SheetCell>& cells) {
-  const int columns =
-      std::min(cells.size() <= 16 ? 4 : 7, std::max(1, static_cast<int>(cells.size())));
+ContactSheet contact_sheet(const std::vector<SheetCell>& cells, int columns) {
   const int rows = (static_cast<int>(cells.size()) + columns - 1) / columns;
   const int width = columns * kWidth, height = rows * kHeight;
   std::ostringstream svg;

@@ -11,10 +11,18 @@ namespace rectilin::figures {
 
 Experiment fig1();
 Experiment fig5();
+Experiment fig6();
+Experiment fig7();
 Experiment fig8();
 Experiment fig9();
 Experiment fig10();
+Experiment fig11();
+Experiment fig12();
+Experiment fig13();
+Experiment fig14();
 Experiment fig15();
+Experiment gap();
+Experiment shortfall();
 
 /// An experiment from a struct of settings with `bind(Parameters&)` and `run(const
 /// ExperimentContext&) const`. `quick` are settings as after the '?' of a Spec: with them it takes

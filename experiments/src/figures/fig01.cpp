@@ -1,6 +1,6 @@
 // Fig. 1: a sphere, a cylinder, a rectilinear object and a cube.
 #include "experiments.h"
-#include "specimen.h"
+#include "series.h"
 
 namespace rectilin::figures {
 namespace {
@@ -15,10 +15,11 @@ struct Introduction {
     for (Specimen& s : specimens) s.pictured = Up::kZ;
     const std::vector<Measured> results = measure_all(specimens, context);
     ExperimentResult result;
-    result.says = "R rises in the paper's order: sphere " + four_digits(results[0].rectilinearity) +
-                  ", cylinder " + four_digits(results[1].rectilinearity) + ", rectilinear object " +
-                  four_digits(results[2].rectilinearity) + ", cube " +
-                  four_digits(results[3].rectilinearity);
+    result.says = "R " + course(results) + ":";
+    for (std::size_t i = 0; i < specimens.size(); ++i)
+      result.says.append(i > 0 ? ", " : " ")
+          .append(specimens[i].label + " " + four_digits(results[i].rectilinearity));
+    result.says += " (paper: in this order)";
     result.data = to_json(specimens, results);
     result.sheets = {sheet("fig1", "From the least rectilinear to the most.", specimens, results)};
     result.errors = errors(specimens, results);

@@ -1,7 +1,8 @@
 // Fig. 5: triangle meshes inscribed into a sphere. S/P tends to 2/3 (eq. 26), R to 0.
-#include <cmath>
+#include <cstdio>
 
 #include "experiments.h"
+#include "rectilin/experiments/statistics.h"
 #include "series.h"
 
 namespace rectilin::figures {
@@ -28,14 +29,17 @@ struct Spheres {
            specimen(faces + " faces", "shape:sphere?subdivisions=" + std::to_string(k))});
     }
     MeasuredSeries measured = measure(series, context);
-    const double first = measured.members.front().rectilinearity,
-                 last = measured.members.back().rectilinearity;
-    const double order = std::log(first / last) / std::log(std::pow(4.0, subdivisions));
+    std::vector<double> faces, values;
+    for (std::size_t i = 0; i < series.members.size(); ++i) {
+      faces.push_back(series.members[i].number);
+      values.push_back(measured.members[i].rectilinearity);
+    }
     char text[160];
     std::snprintf(text, sizeof text,
-                  "R falls from %.4f (8 faces) to %.6f (%d faces), as faces^-%.2f; its limit is 0 "
+                  "R falls from %.4f (8 faces) to %.6f (%d faces), as faces^%.2f; its limit is 0 "
                   "(paper: eq. 26)",
-                  first, last, 8 << 2 * subdivisions, order);
+                  values.front(), values.back(), 8 << 2 * subdivisions,
+                  power_law_exponent(faces, values));
     measured.result.says = text;
     return measured.result;
   }

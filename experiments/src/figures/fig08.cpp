@@ -9,7 +9,7 @@ namespace rectilin::figures {
 namespace {
 
 struct CutCubes {
-  std::array<double, 3> direction{1, 1, 0};
+  std::array<double, 3> direction{1, -1, 0};
   double deepest = 0.45;
   int steps = 18;
 

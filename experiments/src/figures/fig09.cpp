@@ -44,7 +44,7 @@ struct FilletedCubes {
       worst = std::max(
           worst, std::abs(measured.members[i].rectilinearity - ideal(series.members[i].number)));
     measured.result.says = "R " + course(measured.members) +
-                           " with the radius (paper: well behaved), within " + number(worst) +
+                           " with the radius (paper: well behaved), within " + four_digits(worst) +
                            " of the ideal shapes' R";
     return measured.result;
   }

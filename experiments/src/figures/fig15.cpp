@@ -31,10 +31,10 @@ struct SteppedPyramids {
     series.compared = {specimen("smooth", "shape:pyramid")};
     MeasuredSeries measured = measure(series, context);
     const auto least = std::ranges::min_element(measured.members, {}, &Measured::rectilinearity);
-    measured.result.says =
-        "up to " + std::to_string(steps) + " steps R is " + four_digits(least->rectilinearity) +
-        " or more (paper: 1), for the smooth pyramid " +
-        four_digits(measured.compared.front().rectilinearity) + " (paper: 0.4270)";
+    measured.result.says = "up to " + std::to_string(steps) + " steps R is " +
+                           four_digits(least->rectilinearity) +
+                           " or more (paper: 1), for the smooth pyramid " +
+                           number(measured.compared.front().rectilinearity) + " (paper: 0.4270)";
     return measured.result;
   }
 };

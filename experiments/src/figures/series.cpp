@@ -22,8 +22,13 @@ Plot curve(const Series& series, const MeasuredSeries& measured) {
       row.push_back(other.error.empty() ? other.rectilinearity : NAN);
     csv.row(row);
   }
+  Axis x = series.axis;
+  if (x.logarithmic) {  // gnuplot's own choice are whole decades
+    x.lower = series.members.front().number;
+    x.upper = series.members.back().number;
+  }
   Panel panel{.title = "",
-              .x = series.axis,
+              .x = x,
               .y = {.label = "R", .logarithmic = series.logarithmic},
               .bands = {},
               .curves = {}};

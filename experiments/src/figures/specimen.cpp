@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <mutex>
 
+#include "rectilin/experiments/results.h"
 #include "rectilin/measure/projected_area.h"
 #include "rectilin/measure/source.h"
 #include "rectilin/optim/certify.h"
@@ -15,15 +16,15 @@
 namespace rectilin::figures {
 namespace {
 
-Measured measure(const Specimen& specimen, std::stop_token stop) {
+Measured measure(const Specimen& specimen, const ExperimentContext& context) {
   Measured result;
   try {
     const Mesh mesh = specimen.make();
     if (specimen.pictured) result.picture = thumbnail(mesh, *specimen.pictured);
     const ProjectedArea objective(area_vectors(mesh));
     RunSettings settings;
-    settings.stop = std::move(stop);
-    const RunRecord run = run_optimizer(Certify(), objective, settings);
+    settings.stop = context.stop;
+    const RunRecord run = run_optimizer(Certify({.gap = context.gap}), objective, settings);
     if (run.outcome == RunRecord::Outcome::kStopped) throw Stopped();
     if (!run.error.empty()) throw MeshError(run.error);
     result.faces = objective.vectors().faces;
@@ -44,6 +45,31 @@ Specimen specimen(std::string label, const std::string& source) {
   return {std::move(label), source, [source] { return load_mesh(source).mesh; }};
 }
 
+void bind_up(Parameters& parameters, Up& up) {
+  parameters.choice("up", up, {{"z", Up::kZ}, {"y", Up::kY}},
+                    "the axis that points up in pictures");
+}
+
+std::vector<Model> load_models(const ExperimentContext& context, const Defaults& defaults,
+                               std::vector<std::string>& errors) {
+  Defaults wanted = defaults;
+  if (!context.meshes.empty()) {
+    wanted.clear();
+    const std::vector<std::string> names = titles(context.meshes);
+    for (std::size_t i = 0; i < names.size(); ++i) wanted.emplace_back(names[i], context.meshes[i]);
+  }
+  std::vector<Model> models;
+  for (const auto& [title, source] : wanted) {
+    try {
+      models.push_back({title, source, std::make_shared<const Mesh>(load_mesh(source).mesh)});
+    } catch (const MeshError& e) {
+      errors.push_back(e.what());
+    }
+  }
+  if (models.empty()) throw MeshError(errors.front());
+  return models;
+}
+
 std::vector<Measured> measure_all(const std::vector<Specimen>& specimens,
                                   const ExperimentContext& context) {
   std::vector<Measured> results(specimens.size());
@@ -59,7 +85,7 @@ std::vector<Measured> measure_all(const std::vector<Specimen>& specimens,
     report(0, specimens[i].label);
     // A thread that waits for the loops inside one measurement must not begin another: memory would
     // grow.
-    tbb::this_task_arena::isolate([&] { results[i] = measure(specimens[i], context.stop); });
+    tbb::this_task_arena::isolate([&] { results[i] = measure(specimens[i], context); });
     report(1, specimens[i].label);
   });
   return results;
@@ -84,7 +110,7 @@ Json to_json(const std::vector<Specimen>& specimens, const std::vector<Measured>
 }
 
 Sheet sheet(std::string name, std::string caption, const std::vector<Specimen>& specimens,
-            const std::vector<Measured>& results) {
+            const std::vector<Measured>& results, int columns) {
   Csv csv({"label", "origin", "error", "faces", "directions", "R", "lower", "upper"});
   std::vector<SheetCell> cells;
   for (std::size_t i = 0; i < specimens.size(); ++i) {
@@ -96,7 +122,7 @@ Sheet sheet(std::string name, std::string caption, const std::vector<Specimen>& 
     if (specimens[i].pictured && known)
       cells.push_back({r.picture, specimens[i].label, four_digits(r.rectilinearity)});
   }
-  ContactSheet drawn = contact_sheet(cells);
+  ContactSheet drawn = contact_sheet(cells, columns);
   return {std::move(name), std::move(caption), std::move(csv), std::move(drawn.svg), drawn.width};
 }
 

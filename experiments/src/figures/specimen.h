@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,26 @@ struct Specimen {
 /// The mesh of a source for load_mesh().
 Specimen specimen(std::string label, const std::string& source);
 
+/// Adds the setting `up`.
+void bind_up(Parameters& parameters, Up& up);
+
+/// A mesh in memory that others are made from.
+struct Model {
+  std::string title;   ///< short, unique
+  std::string source;  ///< for load_mesh()
+  std::shared_ptr<const Mesh> mesh;
+};
+
+/// The context's meshes or, if it has none, the defaults (title, source). Meshes that cannot be
+/// read are left out, with a line in `errors`; throws MeshError if there is none left.
+using Defaults = std::vector<std::pair<std::string, std::string>>;
+std::vector<Model> load_models(const ExperimentContext& context, const Defaults& defaults,
+                               std::vector<std::string>& errors);
+
+/// These stand for a model made by hand and for a scan.
+inline const Defaults kMadeAndScanned = {{"torus", "shape:torus?slices=80&stacks=40"},
+                                         {"rough blob", "shape:blob?faces=100000&noise=0.0003"}};
+
 struct Measured {
   std::string error;  ///< if it could not be measured: then nothing else is set
   std::size_t faces = 0, directions = 0;
@@ -34,7 +55,7 @@ struct Measured {
   std::string picture;  ///< a PNG file if it was to be shown
 };
 
-/// R of each, certified to 1e-6, several at a time; the same for any number of threads. Throws
+/// R of each, certified, several at a time; the same for any number of threads. Throws
 /// Stopped.
 std::vector<Measured> measure_all(const std::vector<Specimen>& specimens,
                                   const ExperimentContext& context);
@@ -42,9 +63,9 @@ std::vector<Measured> measure_all(const std::vector<Specimen>& specimens,
 /// One object for each specimen, with the error instead of numbers where there is one.
 Json to_json(const std::vector<Specimen>& specimens, const std::vector<Measured>& results);
 
-/// The same as a table, and the pictures with it. Only pictured specimens are shown.
+/// The same as a table, and the pictures of those that are to be shown.
 Sheet sheet(std::string name, std::string caption, const std::vector<Specimen>& specimens,
-            const std::vector<Measured>& results);
+            const std::vector<Measured>& results, int columns = 4);
 
 /// The errors among the results, each with its specimen's name.
 std::vector<std::string> errors(const std::vector<Specimen>& specimens,

@@ -26,6 +26,6 @@ struct ContactSheet {
 };
 
 /// The cells row by row, the pictures inside the SVG.
-ContactSheet contact_sheet(const std::vector<SheetCell>& cells);
+ContactSheet contact_sheet(const std::vector<SheetCell>& cells, int columns);
 
 }  // namespace rectilin::figures

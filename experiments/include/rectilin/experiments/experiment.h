@@ -18,7 +18,8 @@ namespace rectilin {
 struct ExperimentContext {
   std::vector<std::string> meshes =
       {};                  ///< sources, see load_mesh(); if there are none it makes its own
-  std::uint64_t seed = 1;  ///< of everything random
+  std::uint64_t seed = 1;                ///< of everything random
+  double gap = 1e-6;                     ///< width to which R is certified
   std::stop_token stop = {};
   /// Called from any thread, one at a time, with what is done of how much, and what goes on.
   std::function<void(std::size_t done, std::size_t total, const std::string& text)> on_progress =

@@ -28,6 +28,7 @@ struct Axis {
   std::string label;
   bool logarithmic = false;
   double lower = 0, upper = 0;  ///< gnuplot's own choice if they are equal
+  double step = 0;              ///< from tic to tic, on a linear axis; gnuplot's own choice if 0
 };
 
 /// A coordinate system with its curves. Columns are counted from 1, as in the CSV file's header.
