@@ -12,12 +12,12 @@ namespace {
 
 struct Ranking {
   int shown = 28;
-  Up up = Up::kZ;
+  Pose pose;
 
   void bind(Parameters& parameters) {
     parameters.integer("shown", shown, 1, 1000,
                        "most meshes in the picture, taken evenly from the ranking");
-    bind_up(parameters, up);
+    pose.bind(parameters);
   }
 
   ExperimentResult run(const ExperimentContext& context) const {
@@ -37,8 +37,8 @@ struct Ranking {
     const std::size_t count = std::min(specimens.size(), static_cast<std::size_t>(shown));
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t i = count == 1 ? 0 : k * (specimens.size() - 1) / (count - 1);
-      specimens[i].pictured = up;
-      results[i].picture = thumbnail(specimens[i].make(), up);
+      specimens[i].pictured = pose.of(specimens[i].origin);
+      results[i].picture = thumbnail(specimens[i].make(), *specimens[i].pictured);
     }
     result.says = std::to_string(specimens.size()) + " meshes ranked by R, from " +
                   specimens.front().label + " (" + four_digits(results.front().rectilinearity) +

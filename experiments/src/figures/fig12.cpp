@@ -42,14 +42,14 @@ struct Family {
 struct Disturbances {
   int holes = 8, finest = 50'000;
   double radius = 0.04;
-  Up up = Up::kZ;
+  Pose pose;
 
   void bind(Parameters& parameters) {
     parameters.integer("holes", holes, 1, 1000, "number of holes")
         .real("radius", radius, 0, 1, "of a hole, in largest extents")
         .integer("finest", finest, 1000, 10'000'000,
                  "triangles of the finest of three built-in chairs, about");
-    bind_up(parameters, up);
+    pose.bind(parameters);
   }
 
   ExperimentResult run(const ExperimentContext& context) const {
@@ -60,11 +60,12 @@ struct Disturbances {
       for (const int faces : {finest / 100, finest / 10, finest}) {
         const auto mesh = std::make_shared<const Mesh>(chair({.faces = faces}));
         const std::string title = std::to_string(mesh->triangles.size()) + " faces";
-        families.push_back(family({title, "the chair of " + title, mesh}, context.seed, specimens));
+        families.push_back(
+            family({title, "shape: a chair of " + title, mesh}, context.seed, specimens));
         families.back().topology.push_back(specimens.size());
         specimens.push_back(
             {title + ", slats", "the chair of " + title + " with slats and stretchers",
-             [faces] { return chair({.slats = 6, .stretchers = true, .faces = faces}); }, up});
+             [faces] { return chair({.slats = 6, .stretchers = true, .faces = faces}); }, Up::kZ});
       }
     } else {
       for (const Model& model : load_models(context, {}, result.errors))
@@ -85,7 +86,8 @@ struct Disturbances {
   /// Adds the mesh itself, with holes and with noise.
   Family family(const Model& model, std::uint64_t seed, std::vector<Specimen>& specimens) const {
     const auto add = [&](const std::string& change, std::function<Mesh()> make) {
-      specimens.push_back({model.title + change, model.source + change, std::move(make), up});
+      specimens.push_back(
+          {model.title + change, model.source + change, std::move(make), pose.of(model.source)});
       return specimens.size() - 1;
     };
     Family family{model.title, add("", [mesh = model.mesh] { return *mesh; }), {}, {}};

@@ -24,16 +24,18 @@ struct Spread {
 
 struct Deletion {
   int runs = 20;
-  Up up = Up::kZ;
+  int faces = 100'000;
+  Pose pose;
 
   void bind(Parameters& parameters) {
     parameters.integer("runs", runs, 1, 10'000, "random choices of the faces to be deleted");
-    bind_up(parameters, up);
+    parameters.integer("faces", faces, 1000, 10'000'000, "of the built-in blob");
+    pose.bind(parameters);
   }
 
   ExperimentResult run(const ExperimentContext& context) const {
     ExperimentResult result;
-    const std::vector<Model> models = load_models(context, kMadeAndScanned, result.errors);
+    const std::vector<Model> models = load_models(context, made_and_scanned(faces), result.errors);
     const std::vector<Specimen> specimens = plan(models, context.seed);
     const std::vector<Measured> results = measure_all(specimens, context);
     const std::vector<std::vector<Spread>> spreads = summarise(models.size(), results);
@@ -59,7 +61,8 @@ struct Deletion {
           specimens.push_back(
               {model.title + what, model.source + what + ", run " + std::to_string(run + 1),
                [mesh = model.mesh, part, random] { return without_faces(*mesh, part, random); }});
-          if (run == 0 && std::ranges::count(kShown, part) > 0) specimens.back().pictured = up;
+          if (run == 0 && std::ranges::count(kShown, part) > 0)
+            specimens.back().pictured = pose.of(model.source);
         }
     return specimens;
   }
@@ -149,7 +152,8 @@ struct Deletion {
 
 Experiment fig13() {
   return make_experiment<Deletion>("fig13", "Random deletion of faces",
-                                   "meshes (default: a torus and a rough blob)", "runs=2");
+                                   "meshes (default: a torus and a rough blob)",
+                                   "runs=2&faces=2000");
 }
 
 }  // namespace rectilin::figures

@@ -45,9 +45,20 @@ Specimen specimen(std::string label, const std::string& source) {
   return {std::move(label), source, [source] { return load_mesh(source).mesh; }};
 }
 
-void bind_up(Parameters& parameters, Up& up) {
-  parameters.choice("up", up, {{"z", Up::kZ}, {"y", Up::kY}},
-                    "the axis that points up in pictures");
+void Pose::bind(Parameters& parameters) {
+  parameters.choice(
+      "up", which, {{"auto", Which::kAuto}, {"y", Which::kY}, {"z", Which::kZ}},
+      "the axis that points up in pictures; auto: z for built-in shapes, y for files");
+}
+
+Up Pose::of(const std::string& source) const {
+  if (which == Which::kAuto) return source.starts_with("shape:") ? Up::kZ : Up::kY;
+  return which == Which::kZ ? Up::kZ : Up::kY;
+}
+
+Defaults made_and_scanned(int faces) {
+  return {{"torus", "shape:torus?slices=80&stacks=40"},
+          {"rough blob", "shape:blob?noise=0.0003&faces=" + std::to_string(faces)}};
 }
 
 std::vector<Model> load_models(const ExperimentContext& context, const Defaults& defaults,

@@ -26,8 +26,15 @@ struct Specimen {
 /// The mesh of a source for load_mesh().
 Specimen specimen(std::string label, const std::string& source);
 
-/// Adds the setting `up`.
-void bind_up(Parameters& parameters, Up& up);
+/// The setting `up` of experiments that show meshes of others.
+struct Pose {
+  enum class Which { kAuto, kY, kZ };
+  Which which = Which::kAuto;
+
+  void bind(Parameters& parameters);
+  /// Built-in shapes stand on the xy plane; most files have y up.
+  Up of(const std::string& source) const;
+};
 
 /// A mesh in memory that others are made from.
 struct Model {
@@ -42,9 +49,9 @@ using Defaults = std::vector<std::pair<std::string, std::string>>;
 std::vector<Model> load_models(const ExperimentContext& context, const Defaults& defaults,
                                std::vector<std::string>& errors);
 
-/// These stand for a model made by hand and for a scan.
-inline const Defaults kMadeAndScanned = {{"torus", "shape:torus?slices=80&stacks=40"},
-                                         {"rough blob", "shape:blob?faces=100000&noise=0.0003"}};
+/// What stands for a model made by hand and for a scan where no meshes are given; the scan has that
+/// many faces.
+Defaults made_and_scanned(int faces);
 
 struct Measured {
   std::string error;  ///< if it could not be measured: then nothing else is set

@@ -1,0 +1,74 @@
+#!/usr/bin/env bash
+# rectilin experiment from outside: the list, all of them small, with meshes, without gnuplot, interrupted.
+# Usage: experiment.sh RECTILIN
+set -uo pipefail
+rectilin=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0
+
+fail() { echo "FAILED: $*"; cat out err 2>/dev/null; failures=$((failures + 1)); }
+
+# expect STATUS PATTERN COMMAND...: the status, and a pattern somewhere in standard output or error.
+expect() {
+  local status=$1 pattern=$2 got; shift 2
+  "$@" >out 2>err </dev/null; got=$?
+  [ $got -eq "$status" ] && grep -qE -- "$pattern" out err ||
+    fail "$* (status $got, expected $status and /$pattern/)"
+}
+
+expect 0 'rectilin experiment NAME' "$rectilin" experiment
+for name in fig1 fig5 fig6 fig7 fig8 fig9 fig10 fig11 fig12 fig13 fig14 fig15; do
+  grep -qx "$name" out || fail "$name is listed"
+done
+expect 0 'fig15\?steps' "$rectilin" experiment --help
+expect 1 "no experiment 'fig99'; there are fig1" "$rectilin" experiment fig99
+expect 1 "fig15.*stepz" "$rectilin" experiment 'fig15?stepz=3'
+expect 1 'takes no others' "$rectilin" experiment fig15 shape:box
+expect 1 'one experiment at a time' "$rectilin" experiment all shape:box
+
+# All, small: a line each, files for every picture, a page that shows them and needs nothing else.
+expect 0 'small/index.html' "$rectilin" experiment all --quick --out small
+[ "$(grep -cE '^fig[0-9]+: ' out)" -eq 12 ] || fail "a line for each experiment"
+for name in fig1 fig5 fig6 fig7 fig8 fig9 fig10 fig11 fig12 fig13 fig14 fig15; do
+  grep -q '"says": ".' "small/$name.json" || fail "$name says something"
+  grep -q "id=\"$name\"" small/index.html || fail "the page has $name"
+done
+for csv in small/*.csv; do
+  [ -s "${csv%.csv}.svg" ] || fail "$csv has a picture"
+done
+for picture in $(grep -oE 'src="[^"]*"' small/index.html | cut -d'"' -f2); do
+  [ -s "small/$picture" ] || fail "the page shows $picture"
+done
+! grep -qE 'https?://' small/index.html || fail "the page is on its own"
+
+# One more joins the page of its folder; a mesh that cannot be read costs its own place and the status.
+expect 0 'is 1.0000 or more' "$rectilin" experiment 'fig15?steps=2' --out some
+expect 1 'missing.off' "$rectilin" experiment fig11 shape:box missing.off shape:pyramid --out some
+grep -q 'id="fig15"' some/index.html && grep -q 'id="fig11"' some/index.html || fail "the page has both"
+expect 1 'missing.off' "$rectilin" experiment fig11 missing.off --out none
+[ ! -e none ] || fail "nothing is written where nothing was measured"
+
+# The same seed, the same numbers; another, others.
+small=("$rectilin" experiment 'fig13?runs=2' 'shape:torus?slices=20&stacks=10' --gap 1e-4)
+"${small[@]}" --out a >out && "${small[@]}" --threads 1 --out b >out && "${small[@]}" --seed 2 --out c >out
+cmp -s a/fig13.csv b/fig13.csv || fail "the number of threads does not matter"
+cmp -s a/fig13.csv c/fig13.csv && fail "the seed matters"
+
+# Without gnuplot: one line, and all but the curves.
+mkdir nothing
+expect 0 'gnuplot is not installed' env PATH="$work/nothing" "$rectilin" experiment 'fig15?steps=2' --out bare
+[ "$(wc -l <err)" -eq 1 ] && [ -s bare/index.html ] && [ -s bare/fig15-meshes.svg ] || fail "one line, and the rest"
+
+# Ctrl-C: status 1 and one line.
+"$rectilin" experiment 'fig13?runs=10000' --out long >out 2>err &
+pid=$!
+sleep 0.5
+kill -INT $pid
+wait $pid
+[ $? -eq 1 ] && [ "$(wc -l <err)" -eq 1 ] && grep -q 'stopped' err || fail "interrupted"
+[ ! -e long ] || fail "nothing is left of what was stopped"
+
+[ $failures -eq 0 ] && echo "experiment: all as expected"
+exit $((failures > 0))
