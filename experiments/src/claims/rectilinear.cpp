@@ -96,18 +96,14 @@ Finding check_one_iff_rectilinear(const Specimen& specimen) {
 
 std::vector<Finding> check_known_shapes(Random random) {
   std::vector<Finding> findings;
-  const auto posed = [&](const std::string& shape) {
-    return "shape:" + shape + (shape.find('?') == std::string::npos ? "?" : "&") +
-           "rotate=random&seed=" + std::to_string(random.below(1'000'000));
-  };
   for (const char* shape : {"box", "box?x=3&y=0.2", "lshape", "stairs", "stepped-pyramid?steps=50"})
     for (int i = 0; i < 5; ++i) {
-      const std::string source = posed(shape);
+      const std::string source = posed(shape, random);
       const Enclosure best = enclose(load_mesh(source).mesh);
       findings.push_back({best.least_r() - 1, source, nullptr, best.rotation, {}});
     }
   for (const char* shape : {"pyramid", "prism", "cylinder", "cut-cube?depth=0.01", "filleted-cube?radius=0.01", "torus"}) {
-    const std::string source = posed(shape);
+    const std::string source = posed(shape, random);
     const Enclosure best = enclose(load_mesh(source).mesh);
     findings.push_back({1 - best.greatest_r(), source, nullptr, best.rotation, {}});
   }

@@ -17,13 +17,9 @@ namespace {
 constexpr double kStable = 1e-3;
 constexpr int kStableGeneration = 150;
 
-RunRecord run_paper_search(const Objective& objective, std::uint64_t seed) {
-  return run_optimizer(GeneticAlgorithm(), objective, {.seed = seed, .chart = &paper_chart()});
-}
-
 Finding stable_finding(const Objective& objective, std::string where, Random& random) {
-  const double gain = gain_after_150(objective, random.bits());
-  return {kStable - gain, std::move(where), nullptr, {}, "gain " + std::to_string(gain)};
+  const LateGain gain = gain_after_150(objective, random.bits());
+  return {kStable - gain.r, std::move(where), nullptr, gain.rotation, "gain " + std::to_string(gain.r)};
 }
 
 double thread_seconds() {
@@ -51,13 +47,13 @@ double seconds_per_face(const ProjectedArea& objective, Random random) {
 
 }  // namespace
 
-double gain_after_150(const Objective& objective, std::uint64_t seed) {
-  const RunRecord run = run_paper_search(objective, seed);
+LateGain gain_after_150(const Objective& objective, std::uint64_t seed) {
+  const RunRecord run = run_optimizer(GeneticAlgorithm(), objective, {.seed = seed, .chart = &paper_chart()});
   const auto evaluations = static_cast<std::uint64_t>(kStableGeneration * GeneticOptions().population);
   double then = run.trace.front().value;
   for (const TracePoint& point : run.trace)
     if (point.evaluations <= evaluations) then = point.value;
-  return objective.merit(run.incumbent.value) - objective.merit(then);
+  return {objective.merit(run.incumbent.value) - objective.merit(then), run.incumbent.rotation};
 }
 
 Finding check_stable(const Specimen& specimen, Random random) {
@@ -68,8 +64,7 @@ std::vector<Finding> check_stable_on_shapes(Random random) {
   std::vector<Finding> findings;
   for (const char* shape : {"pyramid", "prism", "cut-cube", "filleted-cube?segments=3", "torus", "blob?faces=2000"})
     for (int i = 0; i < 5; ++i) {
-      const std::string source = std::string("shape:") + shape + (std::string(shape).find('?') == std::string::npos ? "?" : "&") +
-                                 "rotate=random&seed=" + std::to_string(random.below(1'000'000));
+      const std::string source = posed(shape, random);
       findings.push_back(stable_finding(ProjectedArea(area_vectors(load_mesh(source).mesh)), source, random));
     }
   return findings;

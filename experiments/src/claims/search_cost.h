@@ -6,7 +6,11 @@
 namespace rectilin::claims_detail {
 
 /// How much R rises after generation 150 of 200 in a run with the paper's parameters, on the paper's box.
-double gain_after_150(const Objective& objective, std::uint64_t seed);
+struct LateGain {
+  double r = 0;       ///< the rise
+  Rotation rotation;  ///< where the run ended
+};
+LateGain gain_after_150(const Objective& objective, std::uint64_t seed);
 
 /// "Usually stable after about 150 generations": 10^-3 minus that gain.
 Finding check_stable(const Specimen& specimen, Random random);

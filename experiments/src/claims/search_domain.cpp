@@ -48,10 +48,8 @@ Finding check_paper_box_in_another_pose(const Specimen& specimen, Random random)
 
 std::vector<Finding> check_cubes_on_paper_box(Random random) {
   std::vector<Finding> findings;
-  for (int i = 0; i < 400; ++i) {
-    const std::string source = "shape:box?rotate=random&seed=" + std::to_string(random.below(1'000'000));
-    findings.push_back(check_paper_box(make_specimen(source)));
-  }
+  for (int i = 0; i < 400; ++i)
+    findings.push_back(check_paper_box(make_specimen(posed("box", random))));
   return findings;
 }
 

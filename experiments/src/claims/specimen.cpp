@@ -10,6 +10,20 @@
 
 namespace rectilin::claims_detail {
 
+namespace {
+
+/// Claims do not depend on scale; areas of meshes of 1e200 would exceed double's range. Scaling by a power of two is exact.
+void bring_to_scale(Mesh& mesh) {
+  double largest = 0;
+  for (const Vector3& p : mesh.vertices) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  for (Vector3& p : mesh.vertices)
+    for (double& coordinate : p) coordinate = std::ldexp(coordinate, -exponent);
+}
+
+}  // namespace
+
 Enclosure enclose(const ProjectedArea& objective, double gap, int cells) {
   Evaluator evaluator(objective);
   CertifyOptions options;
@@ -26,12 +40,18 @@ double distance(const Enclosure& a, const Enclosure& b) {
 }
 
 Specimen make_specimen(Mesh mesh, std::string name) {
+  bring_to_scale(mesh);
   auto objective = std::make_shared<const ProjectedArea>(area_vectors(mesh), name);
   const Enclosure best = enclose(*objective);
   return {std::move(name), std::make_shared<const Mesh>(std::move(mesh)), std::move(objective), best};
 }
 
 Specimen make_specimen(const std::string& source) { return make_specimen(load_mesh(source).mesh, source); }
+
+std::string posed(const std::string& shape, Random& random) {
+  const char separator = shape.find('?') == std::string::npos ? '?' : '&';
+  return "shape:" + shape + separator + "rotate=random&seed=" + std::to_string(random.below(1'000'000));
+}
 
 double ratio_at(const Objective& objective, const Rotation& rotation) {
   double value = 0;

@@ -32,7 +32,7 @@ double distance(const Enclosure& a, const Enclosure& b);
 
 struct Specimen {
   std::string source;
-  std::shared_ptr<const Mesh> mesh;
+  std::shared_ptr<const Mesh> mesh;  ///< scaled by a power of two so that coordinates are below 1
   std::shared_ptr<const ProjectedArea> objective;
   Enclosure best;
 
@@ -42,6 +42,9 @@ struct Specimen {
 /// Throws what load_mesh() and area_vectors() throw.
 Specimen make_specimen(const std::string& source);
 Specimen make_specimen(Mesh mesh, std::string name);
+
+/// The source of a built-in shape ("box?x=2") in a random pose.
+std::string posed(const std::string& shape, Random& random);
 
 /// P/S at one rotation.
 double ratio_at(const Objective& objective, const Rotation& rotation);
