@@ -23,10 +23,12 @@ constexpr std::size_t kRunLeaves = kFan * kFan * kFan * kFan;
 // Tasks work on nodes that cover this many leaves or a single one.
 constexpr std::size_t kTaskLeaves = 2048;
 
-// The share of a level's nodes, at least kFewest of them, beyond which a query gives up. Opening a
-// node takes the time in which the flat sum adds 50 to 100 vectors; so an eighth of the leaves
-// costs about what the flat sum costs.
+// The share of a level's nodes beyond which a query gives up. Opening a node takes the time in which
+// the flat sum adds 50 to 100 vectors; so an eighth of the leaves costs about what the flat sum
+// costs. The few nodes of the upper levels promise less about the leaves and cost next to nothing:
+// as many as a 512th of the leaves, at least kFewest, are always opened.
 constexpr std::size_t kLargestShare = 8;
+constexpr std::size_t kFreeShare = 512;
 constexpr std::size_t kFewest = 96;
 
 std::size_t ceil_div(std::size_t a, std::size_t b) { return (a + b - 1) / b; }
@@ -95,6 +97,12 @@ void fill_level(const NormalKernels& kernels, const double* leaves, std::size_t 
   }
 }
 
+/// Nodes over `stride` leaves each that a query may open.
+std::size_t open_limit(std::size_t leaves, std::size_t stride) {
+  const std::size_t share = ceil_div(leaves, stride * kLargestShare);
+  return std::clamp(std::max(share, leaves / kFreeShare), kFewest, kMostOpened);
+}
+
 /// Numbers of families on all levels, from the leaves upwards.
 std::vector<std::size_t> level_sizes(std::size_t leaves) {
   std::vector<std::size_t> families = {ceil_div(leaves, kFan)};
@@ -119,8 +127,7 @@ NormalTree::NormalTree(const AreaVectors& vectors) : flat_(vectors), kernels_(&n
   std::size_t stride = 1;
   for (const std::size_t count : families) {
     fill_level(*kernels_, nodes->leaves, leaves, children, stride, level);
-    nodes->limits[nodes->depth] =
-        std::clamp(ceil_div(leaves, stride * kLargestShare), kFewest, kMostOpened);
+    nodes->limits[nodes->depth] = open_limit(leaves, stride);
     nodes->levels[nodes->depth++] = level;
     children = level;
     level += count * kFamily;
