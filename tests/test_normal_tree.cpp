@@ -138,6 +138,19 @@ TEST_CASE("the tree's sums and cuts are exact at every size", "[normal_tree]") {
   check_exact(ellipsoid(24));
 }
 
+TEST_CASE("errors of the tree's shortened vectors average out", "[normal_tree]") {
+  for (const Directions& vectors : {ellipsoid(4), ellipsoid(24), gaussian(5000, 13)}) {
+    const AreaVectors area = make_vectors(vectors);
+    const NormalTree tree(area);
+    const Directions u = gaussian(20, 14);
+    const auto h = values(tree, u);
+    for (std::size_t k = 0; k < u.size(); ++k) {
+      const double exact = exact_value(vectors, u[k]);
+      CHECK(std::abs(h[k] - exact) <= 1e-13 * exact);
+    }
+  }
+}
+
 TEST_CASE("the tree bears degenerate vectors", "[normal_tree]") {
   const Vector3 v = Vector3(1, 2, 3).normalized();
   Directions opposite, tilted;
