@@ -44,7 +44,7 @@ HWY_INLINE void prefetch_ahead(const FaceSpan<T>& faces, std::size_t i) {
 
 // Lanes of the sums of one direction, which stay in memory from block to block.
 template <class D, class Sum>
-constexpr std::size_t kLanes = Sum::kOutputs* HWY_MAX_BYTES / sizeof(hn::TFromD<D>);
+constexpr std::size_t kLanes = Sum::kOutputs* hn::MaxLanes(D());
 
 template <class D, class Sum, int kCount, class T>
 HWY_NOINLINE void add_group(const FaceSpan<T>& faces, const Slope<T>* slopes, T* lanes) {
