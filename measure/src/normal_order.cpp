@@ -23,21 +23,25 @@ std::array<Places, 2> plane_coordinates(const std::vector<Vector3>& run) {
   const Vector3 mean = sum.stableNormalized();
   const Vector3 axes[2] = {mean.unitOrthogonal(), mean.cross(mean.unitOrthogonal())};
   std::array<std::vector<float>, 2> plane;
+  for (int k = 0; k < 2; ++k) plane[k].resize(run.size());
+  for (std::size_t i = 0; i < run.size(); ++i) {
+    const double height = mean.dot(run[i]);
+    const double inverse = height > 0 ? 1 / height : 0;
+    for (int k = 0; k < 2; ++k)
+      plane[k][i] = static_cast<float>(std::clamp(axes[k].dot(run[i]) * inverse, -1e3, 1e3));
+  }
   float least[2], extent = std::numeric_limits<float>::min();
   for (int k = 0; k < 2; ++k) {
-    for (const Vector3& v : run) {
-      const double height = mean.dot(v);
-      const double c = height > 0 ? std::clamp(axes[k].dot(v) / height, -1e3, 1e3) : 0.0;
-      plane[k].push_back(static_cast<float>(c));
-    }
     const auto [low, high] = std::minmax_element(plane[k].begin(), plane[k].end());
     least[k] = *low;
     extent = std::max(extent, *high - *low);
   }
   std::array<Places, 2> coordinates;
-  for (int k = 0; k < 2; ++k)
-    for (const float c : plane[k])
-      coordinates[k].push_back(static_cast<std::uint16_t>((c - least[k]) / extent * 65535));
+  for (int k = 0; k < 2; ++k) {
+    coordinates[k].resize(run.size());
+    for (std::size_t i = 0; i < run.size(); ++i)
+      coordinates[k][i] = static_cast<std::uint16_t>((plane[k][i] - least[k]) / extent * 65535);
+  }
   return coordinates;
 }
 
