@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numeric>
@@ -15,8 +16,9 @@ namespace {
 
 using Places = std::vector<std::uint16_t>;
 
-/// Where the run's directions meet the plane that touches the sphere at their mean: straight up to
-/// sign, and great circles become straight lines. Both coordinates in one unit, from 0 to 65535.
+/// The stereographic projection of the run's directions, up to sign, about their mean: small
+/// squares stay squares, and the hemisphere fits a disc. Both coordinates in one unit, from 0 to
+/// 65535.
 std::array<Places, 2> plane_coordinates(const std::vector<Vector3>& run) {
   Vector3 sum = Vector3::Zero();
   for (const Vector3& v : run) sum += v;
@@ -26,9 +28,9 @@ std::array<Places, 2> plane_coordinates(const std::vector<Vector3>& run) {
   for (int k = 0; k < 2; ++k) plane[k].resize(run.size());
   for (std::size_t i = 0; i < run.size(); ++i) {
     const double height = mean.dot(run[i]);
-    const double inverse = height > 0 ? 1 / height : 0;
-    for (int k = 0; k < 2; ++k)
-      plane[k][i] = static_cast<float>(std::clamp(axes[k].dot(run[i]) * inverse, -1e3, 1e3));
+    const double size = std::copysign(run[i].norm() + std::abs(height), height);
+    const double inverse = std::isnormal(size) ? 1 / size : 0;
+    for (int k = 0; k < 2; ++k) plane[k][i] = static_cast<float>(axes[k].dot(run[i]) * inverse);
   }
   float least[2], extent = std::numeric_limits<float>::min();
   for (int k = 0; k < 2; ++k) {
