@@ -43,16 +43,6 @@ std::string time_left(double seconds) {
   return whole < 100 ? std::to_string(whole) + " s left: " : std::to_string((whole + 30) / 60) + " min left: ";
 }
 
-std::string quoted_command_line(int argc, const char* const* argv) {
-  std::string line;
-  for (int i = 0; i < argc; ++i) {
-    const std::string word = argv[i];
-    const bool plain = word.find_first_of(" \t'\"?&*;()$`\\|<>#!") == std::string::npos;
-    line += (i > 0 ? " " : "") + (plain ? word : "'" + word + "'");
-  }
-  return line;
-}
-
 int compare(CompareOptions options, const std::string& command_line) {
   const Registry& registry = builtin_optimizers();
   Plan& plan = options.plan;

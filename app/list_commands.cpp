@@ -1,4 +1,5 @@
 // rectilin optimizers, rectilin shapes: what there is, with every parameter.
+#include <algorithm>
 #include <iostream>
 
 #include "commands.h"
@@ -9,38 +10,53 @@
 namespace rectilin::app {
 namespace {
 
-template <class Entries>
-void list(const Entries& entries, bool json) {
+/// `{"local": true, ...}` as the words that are true.
+std::string words(const Json& flags) {
+  std::string text;
+  for (const auto& [name, value] : flags.items())
+    if (value.get<bool>()) text += (text.empty() ? "" : ", ") + name;
+  std::ranges::replace(text, '_', ' ');
+  return text;
+}
+
+/// `capabilities(entry)` is an object of flags, empty if there are none to tell.
+template <class Entries, class Capabilities>
+void list(const Entries& entries, bool json, Capabilities capabilities) {
   for (const auto& entry : entries) {
+    const Json flags = capabilities(entry);
     if (json) {
       Json parameters = Json::array();
       for (const auto& p : entry.parameters)
         parameters.push_back({{"name", p.name}, {"default", p.value}, {"accepts", p.accepts}, {"help", p.help}});
-      std::cout << Json{{"name", entry.name}, {"help", entry.help}, {"parameters", parameters}}.dump() << '\n';
+      Json line = {{"name", entry.name}, {"help", entry.help}, {"parameters", parameters}};
+      if (!flags.empty()) line["capabilities"] = flags;
+      std::cout << line.dump() << '\n';
       continue;
     }
     std::cout << entry.name << "\n    " << entry.help << '\n';
-    const Table table({{"", 14}, {"", 12}});
-    for (const auto& p : entry.parameters)
-      std::cout << "      " << table.row({p.name, p.value.is_string() ? p.value.template get<std::string>() : p.value.dump()})
-                << "   " << p.help << " (" << p.accepts << ")\n";
+    if (!flags.empty()) std::cout << "    " << words(flags) << '\n';
+    std::cout << settings_table(entry.parameters);
   }
 }
 
-template <class Get>
-void add_list(CLI::App& app, const std::string& name, const std::string& help, Get get) {
+template <class Get, class Capabilities>
+void add_list(CLI::App& app, const std::string& name, const std::string& help, Get get, Capabilities capabilities) {
   auto json = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand(name, help);
   command->add_flag("-j,--json", *json, "One JSON object a line");
-  command->callback([json, get] { list(get(), *json); });
+  command->callback([json, get, capabilities] { list(get(), *json, capabilities); });
 }
 
 }  // namespace
 
 void add_list_commands(CLI::App& app) {
-  add_list(app, "optimizers", "List the optimizers and their parameters",
-           [] { return builtin_optimizers().entries(); });
-  add_list(app, "shapes", "List the built-in shapes and their parameters", [] { return list_shapes(); });
+  add_list(
+      app, "optimizers", "List the optimizers, what they can do and need, and their parameters",
+      [] { return builtin_optimizers().entries(); },
+      [](const Registry::Entry& entry) { return to_json(builtin_optimizers().make(entry.name)->capabilities()); });
+  add_list(
+      app, "shapes", "List the built-in shapes and their parameters", [] { return list_shapes(); },
+      [](const ShapeInfo&) { return Json::object(); });
 }
 
 }  // namespace rectilin::app

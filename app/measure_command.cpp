@@ -3,21 +3,14 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
-#include <algorithm>
-#include <cmath>
-#include <fstream>
 #include <iostream>
 #include <memory>
-#include <numbers>
 #include <optional>
 
 #include "commands.h"
-#include "rectilin/measure/projected_area.h"
+#include "measure_row.h"
 #include "rectilin/measure/source.h"
-#include "rectilin/measure/verify.h"
-#include "rectilin/optim/certify.h"
 #include "rectilin/optim/registry.h"
-#include "rectilin/optim/run_record.h"
 #include "terminal.h"
 
 namespace rectilin::app {
@@ -34,195 +27,6 @@ struct MeasureOptions {
   std::uint64_t evaluations = Budget().evaluations;
   int threads = 0;
   bool json = false;
-};
-
-/// One row of the result: a measured mesh, or why there is none.
-struct Row {
-  std::string name;
-  std::string error;
-  MeshReport report;
-  std::size_t faces = 0, directions = 0;
-  double area = 0;
-  RunRecord run;
-  double value_error = 0;  ///< rounding of the objective's values
-  std::optional<CertifyResult> certified;
-  Json parallel_faces;
-};
-
-/// Certify, keeping what a run record has no place for.
-class CertifyInDetail final : public Optimizer {
- public:
-  CertifyInDetail(const Certify& certify, bool prove) : certify_(certify), prove_(prove) {}
-
-  std::string name() const override { return certify_.name(); }
-  Json parameters() const override { return certify_.parameters(); }
-  Capabilities capabilities() const override { return certify_.capabilities(); }
-  void run(Evaluator& evaluator, const Chart&, Random&) const override {
-    result = certify(evaluator, certify_.options(), prove_ ? &certificate : nullptr);
-  }
-
-  mutable std::optional<CertifyResult> result;
-  mutable Certificate certificate;
-
- private:
-  const Certify& certify_;
-  bool prove_;
-};
-
-/// For each axis the triangles parallel to it: how many, and the first few.
-Json parallel_faces(const Mesh& mesh, const Rotation& rotation) {
-  constexpr std::size_t kShown = 10;
-  Json lists = Json::array();
-  for (int k = 0; k < 3; ++k) {
-    std::size_t count = 0;
-    Json faces = Json::array();
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-      const Triangle& t = mesh.triangles[i];
-      const Vector3 a = mesh.vertices[t[1]] - mesh.vertices[t[0]], b = mesh.vertices[t[2]] - mesh.vertices[t[0]];
-      const Vector3 normal = a.normalized().cross(b.normalized()).normalized();
-      if (normal.isZero() || !(std::abs(rotation.axis(k).dot(normal)) <= 1e-9)) continue;
-      if (++count <= kShown) faces.push_back(i);
-    }
-    lists.push_back({{"count", count}, {"faces", faces}});
-  }
-  return lists;
-}
-
-void write_proof(const std::string& file, const Certificate& certificate, const Mesh& mesh) {
-  if (certificate.empty()) throw MeshError(file + ": no proof, for the gap was not closed");
-  std::ofstream out(file);
-  out << rectilin::to_json(certificate, mesh_digest(mesh)).dump() << '\n';
-  if (!out.flush()) throw MeshError(file + ": cannot be written");
-}
-
-Row measure_source(const std::string& source, const Optimizer& optimizer, const RunSettings& settings,
-                   const std::string& proof) {
-  Row row;
-  row.name = source;
-  try {
-    const LoadedMesh loaded = load_mesh(source);
-    const ProjectedArea objective(area_vectors(loaded.mesh), source);
-    row.report = loaded.report;
-    row.faces = loaded.mesh.triangles.size();
-    row.directions = objective.vectors().size();
-    row.area = objective.vectors().area();
-    row.value_error = 3 * objective.cut_bounds().error;
-    if (const auto* certify = dynamic_cast<const Certify*>(&optimizer)) {
-      const CertifyInDetail detailed(*certify, !proof.empty());
-      row.run = run_optimizer(detailed, objective, settings);
-      row.certified = detailed.result;
-      if (row.certified) row.parallel_faces = parallel_faces(loaded.mesh, row.run.incumbent.rotation);
-      if (!proof.empty() && row.run.error.empty()) write_proof(proof, detailed.certificate, loaded.mesh);
-    } else {
-      row.run = run_optimizer(optimizer, objective, settings);
-    }
-    row.error = row.run.error;
-  } catch (const std::exception& e) {
-    row.error = e.what();
-  }
-  return row;
-}
-
-Json to_json(const MeshReport& r) {
-  return {{"vertices", r.vertices},
-          {"polygons", r.polygons},
-          {"triangulated", r.triangulated},
-          {"nonfinite_vertices", r.nonfinite_vertices},
-          {"dropped_nonfinite", r.dropped_nonfinite},
-          {"dropped_short", r.dropped_short},
-          {"degenerate", r.degenerate},
-          {"duplicate_vertices", r.duplicate_vertices},
-          {"unreferenced_vertices", r.unreferenced_vertices}};
-}
-
-const char* to_string(Optimum::Kind kind) {
-  switch (kind) {
-    case Optimum::Kind::kPoint: return "point";
-    case Optimum::Kind::kContinuum: return "continuum";
-    case Optimum::Kind::kPossible: return "possible";
-  }
-  return "";
-}
-
-Json to_json(const std::vector<Optimum>& optima) {
-  Json list = Json::array();
-  for (const Optimum& optimum : optima)
-    list.push_back({{"kind", to_string(optimum.kind)},
-                    {"rectilinearity", rectilinearity(optimum.value)},
-                    {"rotation", rectilin::to_json(optimum.rotation)}});
-  return list;
-}
-
-Json to_json(const Row& row) {
-  if (!row.error.empty()) return {{"name", row.name}, {"error", row.error}};
-  const RunRecord& run = row.run;
-  const bool certified = run.lower.has_value();
-  Json line = {{"name", row.name},
-               {"faces", row.faces},
-               {"directions", row.directions},
-               {"area", row.area},
-               {"rectilinearity", run.merit},
-               {"lower", certified ? Json(rectilinearity(run.incumbent.value + row.value_error)) : Json(nullptr)},
-               {"upper", certified ? Json(rectilinearity(*run.lower)) : Json(nullptr)},
-               {"rotation", rectilin::to_json(run.incumbent.rotation)}};
-  const Json details = rectilin::to_json(run);
-  for (const char* key : {"optimizer", "parameters", "domain", "seed", "outcome", "evaluations", "values",
-                          "cuts", "smooths", "turns", "seconds", "cpu_seconds", "threads", "digest"})
-    line[key] = details[key];
-  if (row.certified) {
-    line["cells"] = row.certified->cells;
-    line["parallel_faces"] = row.parallel_faces;
-    if (!row.certified->optima.empty()) line["optima"] = to_json(row.certified->optima);
-  }
-  line["report"] = to_json(row.report);
-  return line;
-}
-
-/// Prints rows in the order of the sources, as they come.
-class Printer {
- public:
-  Printer(const MeasureOptions& options, const std::vector<std::string>& sources)
-      : json_(options.json), progress_(sources.size()), table_(columns(sources)) {
-    if (!json_) std::cout << table_.header() << '\n' << std::flush;
-    if (!sources.empty()) progress_.show(0, sources.front());
-  }
-
-  void print(const Row& row) {
-    progress_.clear();
-    ++done_;
-    if (!row.error.empty()) {
-      ++failed_;
-      // Errors of files begin with the file's name; the others do not.
-      complain(row.error.starts_with(row.name) ? row.error : row.name + ": " + row.error);
-    }
-    if (json_) std::cout << to_json(row).dump() << '\n';
-    else if (row.error.empty()) std::cout << table_.row(cells(row)) << '\n';
-    std::cout << std::flush;
-    progress_.show(done_, row.name);
-  }
-
-  std::size_t failed() const { return failed_; }
-
- private:
-  static std::vector<Table::Column> columns(const std::vector<std::string>& sources) {
-    std::size_t widest = 0;
-    for (const auto& s : sources) widest = std::max(widest, s.size());
-    return {{"name", widest}, {"faces", 8}, {"directions", 8}, {"area", 11}, {"R", 12}, {"at most", 12},
-            {"alpha", 8}, {"beta", 8}, {"gamma", 8}, {"optimizer", 9}, {"evaluations", 8}, {"seconds", 8}};
-  }
-
-  static std::vector<std::string> cells(const Row& row) {
-    const Eigen::Vector3d degrees =
-        euler_from_rotation(row.run.incumbent.rotation) * (180 / std::numbers::pi);
-    return {row.name, std::to_string(row.faces), std::to_string(row.directions), general(row.area, 6),
-            fixed(row.run.merit, 10), row.run.lower ? fixed(rectilinearity(*row.run.lower), 10) : "-", fixed(degrees[0], 3), fixed(degrees[1], 3), fixed(degrees[2], 3),
-            row.run.optimizer, std::to_string(row.run.costs.evaluations()), fixed(row.run.seconds, 3)};
-  }
-
-  bool json_;
-  Progress progress_;
-  Table table_;
-  std::size_t done_ = 0, failed_ = 0;
 };
 
 std::vector<std::string> lines_of(std::istream& in) {
@@ -269,7 +73,7 @@ int measure(const MeasureOptions& options) {
 
   // Several files at once, rows in order. Isolated, because a thread that waits for the loops inside one
   // file must not pick up another file and charge its time to the first.
-  Printer printer(options, sources);
+  Printer printer(sources, options.json);
   std::size_t next = 0;
   tbb::parallel_pipeline(
       at_once,

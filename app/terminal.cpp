@@ -62,6 +62,26 @@ std::string Table::row(const std::vector<std::string>& cells) const {
 std::string fixed(double x, int digits) { return printed("%.*f", digits, x); }
 std::string general(double x, int digits) { return printed("%.*g", digits, x); }
 
+std::string quoted_command_line(int argc, const char* const* argv) {
+  std::string line;
+  for (int i = 0; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool plain = word.find_first_of(" \t'\"?&*;()$`\\|<>#!") == std::string::npos;
+    line += (i > 0 ? " " : "") + (plain ? word : "'" + word + "'");
+  }
+  return line;
+}
+
+std::string settings_table(const std::vector<Parameters::Description>& settings) {
+  const Table table({{"", 14}, {"", 12}});
+  std::string text;
+  for (const auto& s : settings)
+    text.append("      ")
+        .append(table.row({s.name, s.value.is_string() ? s.value.get<std::string>() : s.value.dump()}))
+        .append("   " + s.help + " (" + s.accepts + ")\n");
+  return text;
+}
+
 void complain(const std::string& message) { std::cerr << "rectilin: " << message << '\n'; }
 
 std::stop_token stop_on_interrupt() {

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "rectilin/optim/parameters.h"
+
 namespace rectilin::app {
 
 /// A line that says how far things are, rewritten in place on standard error. Says nothing if standard error
@@ -48,6 +50,12 @@ class Table {
 std::string fixed(double x, int digits);
 /// x with `digits` significant digits.
 std::string general(double x, int digits);
+
+/// The words of a command line, quoted so that a shell reads them as they were.
+std::string quoted_command_line(int argc, const char* const* argv);
+
+/// A line for each setting: name, default, help.
+std::string settings_table(const std::vector<Parameters::Description>& settings);
 
 /// Complains on standard error, in one line that begins with the program's name.
 void complain(const std::string& message);

@@ -6,8 +6,8 @@
 
 #include "bench.h"
 #include "inputs.h"
-#include "naive.h"
 #include "peak.h"
+#include "rectilin/experiments/naive_area.h"
 #include "rectilin/measure/flat_sum.h"
 #include "stopwatch.h"
 

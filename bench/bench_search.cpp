@@ -3,7 +3,7 @@
 
 #include "bench.h"
 #include "inputs.h"
-#include "naive.h"
+#include "rectilin/experiments/naive_area.h"
 #include "rectilin/measure/projected_area.h"
 #include "rectilin/optim/registry.h"
 #include "rectilin/optim/run_record.h"

@@ -1,21 +1,18 @@
 #include "fit.h"
 
-#include <cmath>
+#include <vector>
+
+#include "rectilin/experiments/statistics.h"
 
 namespace rectilin::bench {
 
 double exponent(std::span<const Point> points) {
-  double x = 0, y = 0, xx = 0, xy = 0;
-  const auto n = static_cast<double>(points.size());
+  std::vector<double> sizes, times;
   for (const Point& p : points) {
-    x += std::log(p.size) / n;
-    y += std::log(p.time) / n;
+    sizes.push_back(p.size);
+    times.push_back(p.time);
   }
-  for (const Point& p : points) {
-    xx += (std::log(p.size) - x) * (std::log(p.size) - x);
-    xy += (std::log(p.size) - x) * (std::log(p.time) - y);
-  }
-  return xy / xx;
+  return power_law_exponent(sizes, times);
 }
 
 }  // namespace rectilin::bench

@@ -9,8 +9,7 @@ struct Point {
   double size, time;
 };
 
-/// The exponent p of time ~ size^p: the slope of the least-squares line through the logarithms. NaN
-/// for fewer than two sizes.
+/// The exponent p of time ~ size^p, see power_law_exponent().
 double exponent(std::span<const Point> points);
 
 }  // namespace rectilin::bench

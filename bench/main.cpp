@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
   register_tree_benchmarks();
   register_mesh_benchmarks();
   register_search_benchmarks();
+  register_proof_benchmarks();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }

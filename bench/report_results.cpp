@@ -33,7 +33,7 @@ Result parse(const json& entry) {
       real = true;
       continue;
     }
-    if (part.starts_with("repeats:")) continue;
+    if (part.starts_with("repeats:") || part.starts_with("iterations:")) continue;
     result.name += (result.name.empty() ? "" : "/") + part;
     if (const auto colon = part.find(':'); colon != std::string::npos)
       result.keys[part.substr(0, colon)] = part.substr(colon + 1);
@@ -146,6 +146,8 @@ nlohmann::ordered_json summary(const Results& results) {
     set(out["tree_build_over_flat"], "chain/" + with, results.counter(r->name, "chain_over_flat"));
     set(out["tree_build_over_flat"], "tree/" + with, results.counter(r->name, "tree_over_flat"));
   }
+  for (const Result* r : results.family("proof/"))
+    set(out["certify_over_ga"], r->name.substr(6), results.counter(r->name, "certify_over_ga"));
   return out;
 }
 

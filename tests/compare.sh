@@ -1,22 +1,7 @@
 #!/usr/bin/env bash
 # rectilin compare from outside: a small comparison, once, again, interrupted, without gnuplot.
 # Usage: compare.sh RECTILIN
-set -uo pipefail
-rectilin=$1
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-
-fail() { echo "FAILED: $*"; cat out err 2>/dev/null; failures=$((failures + 1)); }
-
-# expect STATUS PATTERN COMMAND...: the status, and a pattern somewhere in standard output or error.
-expect() {
-  local status=$1 pattern=$2 got; shift 2
-  "$@" >out 2>err </dev/null; got=$?
-  [ $got -eq "$status" ] && grep -qE -- "$pattern" out err ||
-    fail "$* (status $got, expected $status and /$pattern/)"
-}
+. "$(dirname "$0")/expect.sh"
 
 expect 0 'ga@paper' "$rectilin" compare --help
 expect 2 'source' "$rectilin" compare
@@ -67,5 +52,4 @@ wait $pid
 [ $? -eq 1 ] && [ "$(wc -l <err)" -eq 1 ] && grep -q 'the same command goes on' err || fail "interrupted"
 [ "$(tail -c 2 long/runs.jsonl)" = "}" ] || fail "whole lines"
 
-[ $failures -eq 0 ] && echo "compare: all as expected"
-exit $((failures > 0))
+finish compare

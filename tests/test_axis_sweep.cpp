@@ -33,4 +33,5 @@ TEST_CASE("an objective without turns is a clear error", "[axis-sweep]") {
                                          test::CubeInPose(), {.budget = {.evaluations = 100}});
   REQUIRE(record.outcome == RunRecord::Outcome::kFailed);
   REQUIRE(record.error == "axis-sweep: 'cube in pose' has no best turns");
+  REQUIRE(record.costs.evaluations() == 0);
 }

@@ -1,9 +1,11 @@
 #include "rectilin/optim/evaluator.h"
 
+#include <set>
 #include <vector>
 
 #include "catch.h"
 #include "frame_objective.h"
+#include "known_shapes.h"
 
 using namespace rectilin;
 
@@ -62,6 +64,23 @@ TEST_CASE("the digest tells runs apart", "[evaluator]") {
   for (const Rotation& r : rotations) other.value(r * rotations[3]);
   REQUIRE(together.digest() == single.digest());
   REQUIRE(together.digest() != other.digest());
+}
+
+TEST_CASE("the digest covers smooth values and turns", "[evaluator]") {
+  const auto digest = [](const auto& ask) {
+    Evaluator evaluator(test::pyramid());
+    ask(evaluator);
+    return evaluator.digest();
+  };
+  const Rotation at = some_rotations(1).front();
+  const auto nothing = digest([](Evaluator&) {});
+  const auto wide = digest([&](Evaluator& e) { e.smooth(at, 0.1); });
+  const auto narrow = digest([&](Evaluator& e) { e.smooth(at, 0.01); });
+  const auto turn = digest([&](Evaluator& e) {
+    Rotation turned = at;
+    e.turn(turned, 0);
+  });
+  REQUIRE(std::set{nothing, wide, narrow, turn}.size() == 4);
 }
 
 TEST_CASE("lower bounds only rise", "[evaluator]") {

@@ -44,14 +44,41 @@ TEST_CASE("every optimizer keeps the budget, finds something and repeats itself"
 TEST_CASE("the seed matters to those that say so, and to no others", "[optimizers]") {
   for (const auto& entry : builtin_optimizers().entries()) {
     INFO(entry.name);
-    // The digest is of the objective's values; methods on the surrogate ask for few of those, so
-    // several seeds.
     std::set<std::uint64_t> digests;
     for (std::uint64_t seed = 1; seed <= 4; ++seed)
       digests.insert(test::run_on_pyramid(entry.name, seed, {.evaluations = 5000}).digest);
     REQUIRE((digests.size() > 1) ==
             builtin_optimizers().make(entry.name)->capabilities().uses_random);
   }
+}
+
+TEST_CASE("every optimizer needs what it says, and says so before it begins", "[optimizers]") {
+  std::vector<std::string> specs = {"nlopt:G_MLSL?local=LD_LBFGS", "multistart?local=axis-sweep?starts=1",
+                                    "random?evaluations=100+ceres"};
+  for (const auto& entry : builtin_optimizers().entries()) specs.push_back(entry.name);
+  for (const std::string& spec : specs) {
+    INFO(spec);
+    const auto optimizer = builtin_optimizers().make(spec);
+    const Capabilities can = optimizer->capabilities();
+    const Costs costs = run_optimizer(*optimizer, test::pyramid(), {.budget = {.evaluations = 2000}}).costs;
+    REQUIRE((costs.cuts > 0) == can.needs_cuts);
+    REQUIRE((costs.smooths > 0) == can.needs_smooth);
+    REQUIRE((costs.turns > 0) == can.needs_turns);
+
+    const RunRecord without = run_optimizer(*optimizer, test::CubeInPose(), {.budget = {.evaluations = 100}});
+    REQUIRE((without.outcome == RunRecord::Outcome::kFailed) == (can.needs_smooth || can.needs_turns));
+    if (without.outcome == RunRecord::Outcome::kFailed) REQUIRE(without.costs.evaluations() == 0);
+  }
+}
+
+TEST_CASE("capabilities of a whole are those of all its parts, or of any", "[optimizers]") {
+  const Capabilities whole = together({.deterministic = true, .needs_smooth = true, .local = true},
+                                      {.deterministic = false, .uses_chart = false, .needs_turns = true, .local = true});
+  REQUIRE_FALSE(whole.deterministic);
+  REQUIRE(whole.local);
+  REQUIRE((whole.needs_smooth && whole.needs_turns && whole.uses_chart));
+  REQUIRE_FALSE(whole.needs_cuts);
+  REQUIRE(to_json(whole)["needs_smooth"] == true);
 }
 
 TEST_CASE("every optimizer ends, however small the budget, and without one", "[optimizers]") {
@@ -61,6 +88,9 @@ TEST_CASE("every optimizer ends, however small the budget, and without one", "[o
       const RunRecord record = test::run_on_pyramid(entry.name, 1, {.evaluations = few});
       REQUIRE(record.outcome != RunRecord::Outcome::kFailed);
       REQUIRE(record.costs.evaluations() <= few);
+      // The first that is asked for is the objective itself, so that a run cut off at any time has found something.
+      const Capabilities can = builtin_optimizers().make(entry.name)->capabilities();
+      if (few > 0 && !can.needs_cuts && !can.needs_turns) REQUIRE(std::isfinite(record.incumbent.value));
     }
     REQUIRE(test::run_on_pyramid(entry.name).costs.evaluations() <= 30000);
     REQUIRE(test::run_on_pyramid(entry.name, 1, {.seconds = 0}).costs.evaluations() == 0);

@@ -113,7 +113,11 @@ TEST_CASE("reduction gives one representative in the cubic fundamental zone", "[
     REQUIRE(rho.cwiseAbs().sum() <= 1 + 1e-12);
     const Rotation& d = frame_symmetries()[random.below(24)];
     REQUIRE((reduce_to_zone(d * r).matrix() - reduced.matrix()).norm() < 1e-12);
-    REQUIRE(frame_angle(r, d * r) < 1e-7);
+    REQUIRE(frame_angle(r, d * r) < 1e-14);
+    const Rotation other = random_rotation(random);
+    double least = 4;
+    for (const Rotation& symmetry : frame_symmetries()) least = std::min(least, angle_between(r, symmetry * other));
+    REQUIRE(frame_angle(r, other) == Approx(least).epsilon(1e-12));
   }
   REQUIRE(frame_angle(Rotation(), rotation_from_vector({0, 0, 0.2})) == Approx(0.2));
 }

@@ -12,11 +12,11 @@ using namespace rectilin;
 
 namespace {
 
-Json prove(const Mesh& mesh) {
+Json prove(const Mesh& mesh, const CertifyOptions& options = {}, Budget budget = {}) {
   const ProjectedArea objective(area_vectors(mesh));
-  Evaluator evaluator(objective);
+  Evaluator evaluator(objective, budget);
   Certificate certificate;
-  certify(evaluator, {}, &certificate);
+  certify(evaluator, options, &certificate);
   return to_json(certificate, mesh_digest(mesh));
 }
 
@@ -40,6 +40,27 @@ TEST_CASE("verify accepts what certify proves", "[verify]") {
     REQUIRE(verdict.accepted);
     REQUIRE(verdict.upper - verdict.lower <= 1.001e-6);
     REQUIRE(verdict.upper >= verdict.lower);
+  }
+}
+
+TEST_CASE("a run that is stopped proves what it got to", "[verify]") {
+  const Mesh mesh = mesh_of("soup?faces=100");
+  const double best = verify_certificate(prove(mesh).dump(), mesh).upper;
+  double before = 1 + 1e-12;  // R of any mesh, with rounding
+  for (const int cells : {1, 10, 100, 400}) {
+    const Verdict verdict = verify_certificate(prove(mesh, {.cells = cells}).dump(), mesh);
+    INFO(cells << " cells: " << verdict.reason);
+    REQUIRE(verdict.accepted);
+    REQUIRE(verdict.upper >= best - 1e-6);
+    REQUIRE(verdict.upper <= before);
+    before = verdict.upper;
+  }
+  REQUIRE(before < best + 0.05);
+  for (const std::uint64_t evaluations : {2u, 7u, 100u}) {
+    const Verdict verdict = verify_certificate(prove(mesh, {}, {.evaluations = evaluations}).dump(), mesh);
+    INFO(evaluations << " evaluations: " << verdict.reason);
+    REQUIRE(verdict.accepted);
+    REQUIRE(verdict.upper >= best - 1e-6);
   }
 }
 

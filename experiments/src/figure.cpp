@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <tbb/parallel_for_each.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,6 +13,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <mutex>
+#include <set>
 #include <sstream>
 
 extern char** environ;
@@ -23,7 +26,7 @@ constexpr std::array<const char*, LineStyle::kColours> kPalette = {"#0072b2", "#
                                                                    "#e69f00", "#56b4e9", "#000000", "#b5a900"};
 constexpr std::array<const char*, LineStyle::kDashes> kDashes = {"", "9,4", "2,3", "9,3,2,3", "16,4", "5,3,5,3,1,3"};
 
-constexpr std::size_t kLegend = 26, kPanelTitle = 30, kRowName = 40;  // characters that there is room for
+constexpr std::size_t kLegend = 26, kPanelTitle = 30, kRowName = 30;  // characters that there is room for
 
 /// A gnuplot string; nothing in it is special between single quotes but these.
 std::string quoted(const std::string& text) {
@@ -61,8 +64,9 @@ std::string terminal(Figure::Size size, int font) {
 std::string axis(const char* name, const Axis& a, bool small) {
   std::ostringstream text;
   if (!a.label.empty())
-    text << "set " << name << "label " << quoted(a.label) << " noenhanced"
-         << (*name == 'x' ? " offset 0,0.5\n" : "\n");
+    // The empty line below the label keeps the legend away from it.
+    text << "set " << name << "label " << quoted(a.label)
+         << (*name == 'x' ? ".\"\\n\" noenhanced offset 0,0.5\n" : " noenhanced\n");
   else text << "unset " << name << "label\n";
   text << (a.logarithmic ? "set" : "unset") << " logscale " << name << "\n";
   if (a.logarithmic) text << "set format " << name << " '10^{%T}'\n";
@@ -70,6 +74,7 @@ std::string axis(const char* name, const Axis& a, bool small) {
   const double decades = a.logarithmic && a.upper > a.lower ? std::log10(a.upper / a.lower) : 0;
   if (small && decades > 4.5)
     text << "set " << name << "tics 1e" << (decades > 9 ? 4 : 2) << "\nunset m" << name << "tics\n";
+  else if (a.step > 0) text << "set " << name << "tics " << a.step << "\nset m" << name << "tics default\n";
   else if (decades > 7) text << "set " << name << "tics 100\nset m" << name << "tics 2\n";
   else text << "set " << name << "tics autofreq\nset m" << name << "tics default\n";
   if (a.upper > a.lower) text << "set " << name << "range [" << a.lower << ':' << a.upper << "]\n";
@@ -90,7 +95,7 @@ std::string plot(const Panel& panel, double width) {
   for (const auto& curve : panel.curves) {
     next();
     text << "'@NAME@.csv' skip 1 using " << curve.x << ':' << curve.y << " with "
-         << (curve.steps ? "steps " : "lines ")
+         << (curve.steps ? "steps " : curve.points ? "linespoints pt 7 ps 0.6 " : "lines ")
          << (curve.faint ? "lc rgb '#c8c8c8' lw 1 dt solid" : line(curve.style, width));
     if (curve.label.empty()) text << " notitle";
     else text << " title " << quoted(shortened(curve.label, kLegend)) << " noenhanced";
@@ -109,7 +114,7 @@ int rows_of(std::size_t count, int columns) { return (static_cast<int>(count) + 
 Figure::Size size_of(const std::vector<Panel>& panels, int columns) {
   if (panels.size() > 1) return {240 * columns, 40 + 180 * rows_of(panels.size(), columns)};
   const Panel& panel = panels.front();
-  return {520, 370 + 18 * rows_of(panel.curves.size(), legend_columns(panel))};
+  return {520, 380 + 18 * rows_of(panel.curves.size(), legend_columns(panel))};
 }
 
 std::string single(const std::string& title, const Panel& panel, Figure::Size size) {
@@ -146,7 +151,7 @@ Margins margins(const HeatMap& map) {
     for (const std::string& name : names) length = std::max(length, std::min(name.size(), kRowName));
     return static_cast<int>(length);
   };
-  return {8 * longest(map.rows) + 20, 5 * longest(map.columns) + 30};
+  return {7 * longest(map.rows) + 20, 5 * longest(map.columns) + 30};
 }
 
 Figure::Size size_of(const HeatMap& map) {
@@ -252,6 +257,20 @@ void draw(const std::filesystem::path& folder, const std::string& name) {
   const std::string message = WIFEXITED(status) && WEXITSTATUS(status) == 0 ? "" : first_message(folder / log);
   std::filesystem::remove(folder / log);
   if (!message.empty()) throw FigureError("gnuplot: " + message);
+}
+
+std::vector<std::string> draw_all(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+  std::mutex mutex;
+  std::set<std::string> troubles;
+  tbb::parallel_for_each(names, [&](const std::string& name) {
+    try {
+      draw(folder, name);
+    } catch (const FigureError& e) {
+      const std::lock_guard lock(mutex);
+      troubles.insert(e.what());
+    }
+  });
+  return {troubles.begin(), troubles.end()};
 }
 
 }  // namespace rectilin

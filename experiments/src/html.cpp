@@ -12,10 +12,11 @@ h2 { font-size: 1.25rem; margin: 2.5rem 0 .5rem; padding-top: .5rem; border-top:
 h3 { font-size: 1.05rem; margin: 2rem 0 .25rem; overflow-wrap: anywhere; }
 p, figcaption, li { max-width: 46rem; overflow-wrap: break-word; }
 .scroll { overflow-x: auto; margin: .75rem 0; }
-table { border-collapse: collapse; font-size: .875rem; font-variant-numeric: tabular-nums; }
+table { border-collapse: separate; border-spacing: 0; font-size: .875rem; font-variant-numeric: tabular-nums; }
 th, td { padding: .2rem .6rem; text-align: right; white-space: nowrap; border-bottom: 1px solid #e6e6e6; }
 th { border-bottom: 2px solid #888; }
 th:first-child, td:first-child { text-align: left; padding-left: 0; }
+.number { white-space: nowrap; }
 .line { width: 28px; height: 9px; margin-right: .5em; vertical-align: middle; }
 .best { font-weight: 700; }
 .none { color: #767676; }
@@ -27,14 +28,24 @@ figcaption { font-size: .875rem; color: #444; }
 summary { cursor: pointer; color: #0050a0; margin: .5rem 0; }
 a { color: #0050a0; }
 pre { overflow-x: auto; background: #f5f5f5; padding: .75rem; font-size: .8rem; }
+@media screen and (max-width: 40rem) {
+  ul { padding-left: 1.2rem; }
+  th, td { padding: .2rem .4rem; }
+  th:first-child, td:first-child { position: sticky; left: 0; background: #fff; min-width: 8rem; max-width: 9.5rem;
+    white-space: normal; overflow-wrap: anywhere; }
+  .line { width: 16px; margin-right: .3em; }
+}
 @media print {
   body { max-width: none; font-size: 10pt; padding: 0; }
+  h2, h3, summary { break-after: avoid; }
   figure, tr { break-inside: avoid; }
   .scroll, figure.wide { overflow: visible; }
-  figure.wide img { min-width: 0 !important; }
+  figure.wide img { min-width: 0 !important; max-width: 15cm !important; }
   .pair { grid-template-columns: 1fr 1fr; }
   table { font-size: 7.5pt; }
-  th, td { padding: .1rem .3rem; white-space: normal; }
+  th, td { padding: .1rem .3rem; }
+  th, td:first-child { white-space: normal; }
+  pre { columns: 3; font-size: 5.5pt; white-space: pre-wrap; overflow-wrap: anywhere; background: none; padding: 0; }
 }
 )";
 

@@ -25,16 +25,8 @@ std::string printed(const char* format, double x) {
   return text;
 }
 
-std::string gap_text(double gap) { return printed("%.1e", gap); }
+std::string gap_text(double gap) { return "<span class=\"number\">" + printed("%.1e", gap) + "</span>"; }
 std::string percent(double share) { return printed("%.0f %%", 100 * share); }
-
-/// A whole number with commas between thousands.
-std::string count(double x) {
-  std::string digits = printed("%.0f", x);
-  if (!std::isfinite(x)) return digits;
-  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
-  return digits;
-}
 
 /// Degrees; what rounds to zero has no sign.
 std::string angle(double degrees) { return printed("%.4f", std::round(degrees * 1e4) / 1e4 + 0.0); }
@@ -87,11 +79,18 @@ double share_of(const std::vector<const RunResult*>& runs, Condition condition) 
 
 }  // namespace
 
+std::string whole_number(double x) {
+  std::string digits = printed("%.0f", x);
+  if (!std::isfinite(x)) return digits;
+  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
+  return digits;
+}
+
 std::string standings_html(const Results& results, const Summary& summary) {
   std::string winners;
   std::vector<std::string> header = {"optimizer"};
   for (std::size_t b = 0; b < summary.budgets.size(); ++b) {
-    const std::string at = count(static_cast<double>(summary.budgets[b]));
+    const std::string at = whole_number(static_cast<double>(summary.budgets[b]));
     header.insert(header.end(), {"rank at " + at, "gap", "wins"});
     const std::size_t winner = summary.order(b).front();
     const Standing& s = summary.standings[b][winner];
@@ -129,7 +128,7 @@ std::string targets_html(const Results& results, const Summary& summary) {
     for (const std::size_t t : shown_targets()) {
       const RunningTime& running = summary.overall[e][t];
       rate.push_back(percent(running.success_rate()));
-      time.push_back(best(running.expected() == least[t] && std::isfinite(least[t]), count(running.expected())));
+      time.push_back(best(running.expected() == least[t] && std::isfinite(least[t]), whole_number(running.expected())));
     }
     rates.row(rate);
     times.row(time);
@@ -153,7 +152,7 @@ std::string mesh_targets_html(const Results& results, const Summary& summary) {
       std::vector<std::string> row = {entry_name(results, e)};
       for (const std::size_t t : shown_targets()) {
         const RunningTime& time = summary.cells[e][mesh].to_target[t];
-        row.push_back(time.runs == 0 ? printed("", NAN) : count(time.expected()));
+        row.push_back(time.runs == 0 ? printed("", NAN) : whole_number(time.expected()));
       }
       table.row(row);
     }
@@ -187,7 +186,7 @@ std::string tests_html(const Results& results, const Summary& summary) {
              "The number of meshes on which the row's final gaps are smaller than the column's by a two-sided "
              "rank-sum test (Mann and Whitney 1947, corrected for ties) at the level of 5 %, corrected by Holm's "
              "method for all " +
-             count(static_cast<double>(summary.tests.size())) + " tests of this comparison." +
+             whole_number(static_cast<double>(summary.tests.size())) + " tests of this comparison." +
              (least >= kSignificance ? " <b>No difference is significant: that may take more runs.</b>" : ""));
 }
 
@@ -203,9 +202,9 @@ std::string domains_html(const Results& results, const Summary& summary) {
     if (variants[entry.spec] < 2) continue;
     any = true;
     const auto& overall = summary.overall[e];
-    table.row({entry_name(results, e), entry.domain, count(static_cast<double>(overall[coarse].runs)),
+    table.row({entry_name(results, e), entry.domain, whole_number(static_cast<double>(overall[coarse].runs)),
                percent(overall[coarse].success_rate()), percent(overall[fine].success_rate()),
-               count(overall[coarse].expected()), count(overall[fine].expected()),
+               whole_number(overall[coarse].expected()), whole_number(overall[fine].expected()),
                gap_text(summary.standings.back()[e].gap)});
   }
   if (!any) return "";
@@ -237,7 +236,7 @@ std::string genetic_html(const Results& results) {
         return r->trace.gap_after(Cost::kEvaluations, generation_150(r)) - r->trace.final_gap() > step;
       };
     };
-    table.row({entry_name(results, e), count(static_cast<double>(runs.size())), percent(share_of(runs, within(1e-3))),
+    table.row({entry_name(results, e), whole_number(static_cast<double>(runs.size())), percent(share_of(runs, within(1e-3))),
                percent(share_of(runs, within(1e-6))), percent(share_of(longer, rises(1e-3))),
                percent(share_of(longer, rises(1e-4))), percent(share_of(longer, rises(1e-6)))});
   }
@@ -253,8 +252,8 @@ std::string usage_html(const Results& results, const Summary& summary) {
                "µs an evaluation"});
   for (const std::size_t e : summary.order(last_budget(summary))) {
     const Usage& u = summary.usage[e];
-    table.row({entry_name(results, e), count(u.evaluations), count(u.values), count(u.cuts), count(u.smooths),
-               count(u.turns), printed("%.4f", u.seconds), printed("%.4f", u.cpu_seconds),
+    table.row({entry_name(results, e), whole_number(u.evaluations), whole_number(u.values), whole_number(u.cuts), whole_number(u.smooths),
+               whole_number(u.turns), printed("%.4f", u.seconds), printed("%.4f", u.cpu_seconds),
                printed("%.2f", 1e6 * u.cpu_seconds / u.evaluations)});
   }
   return table.text() +
@@ -272,9 +271,9 @@ std::string meshes_html(const Results& results) {
   for (const MeshResult& mesh : results.meshes) {
     if (!mesh.error.empty()) continue;
     const Eigen::Vector3d degrees = euler_from_rotation(mesh.rotation) * (180 / std::numbers::pi);
-    table.row({escape(mesh.title), count(static_cast<double>(mesh.faces)),
-               count(static_cast<double>(mesh.directions)), printed("%.10f", mesh.lower),
-               printed("%.10f", mesh.upper), printed("%.1e", mesh.upper - mesh.lower), count(mesh.evaluations),
+    table.row({escape(mesh.title), whole_number(static_cast<double>(mesh.faces)),
+               whole_number(static_cast<double>(mesh.directions)), printed("%.10f", mesh.lower),
+               printed("%.10f", mesh.upper), printed("%.1e", mesh.upper - mesh.lower), whole_number(mesh.evaluations),
                printed("%.3f", mesh.seconds), angle(degrees[0]), angle(degrees[1]), angle(degrees[2])});
   }
   return table.text() + paragraph(

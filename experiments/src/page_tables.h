@@ -7,6 +7,9 @@
 
 namespace rectilin {
 
+/// A whole number with commas between thousands.
+std::string whole_number(double x);
+
 /// Who stands where after 100, 1,000, ... evaluations, with the winners in words.
 std::string standings_html(const Results& results, const Summary& summary);
 

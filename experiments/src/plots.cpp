@@ -93,11 +93,12 @@ std::vector<double> runtimes(const Results& results, std::size_t entry, Cost uni
 
 /// One panel with a step curve of shares for each entry; `sorted` are the values whose distribution it is.
 Plot distribution_plot(const Results& results, const std::string& name, const std::string& title, const Axis& x,
-                       const std::vector<double>& grid, const std::vector<std::vector<double>>& sorted) {
+                       const std::string& share, const std::vector<double>& grid,
+                       const std::vector<std::vector<double>>& sorted) {
   std::vector<std::string> columns = {x.label};
   Panel panel;
   panel.x = x;
-  panel.y = {"share", false, 0, 1};
+  panel.y = {share, false, 0, 1};
   const std::vector<LineStyle> style = styles(results.plan);
   for (std::size_t e = 0; e < sorted.size(); ++e) {
     columns.push_back(results.plan.entries[e].label);
@@ -182,9 +183,9 @@ Plot runtime_plot(const Results& results, Cost unit) {
   for (std::size_t e = 0; e < results.plan.entries.size(); ++e) costs.push_back(runtimes(results, e, unit));
   Axis x{unit_name(unit), true, grid.empty() ? 0 : grid.front(), grid.empty() ? 0 : grid.back()};
   Plot plot = distribution_plot(results, "runtimes-" + unit_name(unit), "Runtimes over all meshes and targets", x,
-                                grid, costs);
+                                "share of runs and targets", grid, costs);
   plot.caption =
-      "Share of all pairs of a run and a target (gaps of 10^-0.5, 10^-1, ... 10^-9) reached within so many " +
+      "Share of all pairs of a run and a target (gaps of 0.32, 0.1, 0.032, ... 1e-9) reached within so many " +
       unit_name(unit) + ".";
   return plot;
 }
@@ -210,7 +211,8 @@ Plot profile_plot(const Results& results, const Summary& summary) {
   constexpr int kPoints = 160;
   for (int i = 0; i <= kPoints; ++i) grid.push_back(std::pow(largest, static_cast<double>(i) / kPoints));
   Plot plot = distribution_plot(results, "profile", "Performance profile",
-                                {"factor of the best expected running time", true, 1, largest}, grid, ratios);
+                                {"factor of the best expected running time", true, 1, largest}, "share of problems", grid,
+                                ratios);
   plot.caption =
       "Share of the problems (a mesh and a target) on which an optimizer's expected running time is within a factor "
       "of the best optimizer's. Left end: how often it is the best; right end: how much it solves at all.";

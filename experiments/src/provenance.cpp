@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <ctime>
 #include <fstream>
+#include <nlopt.hpp>
 
 // Libraries behind the optimizers, not used here: their versions are in headers of their own.
 #if __has_include(<ceres/version.h>)
@@ -27,6 +28,7 @@ std::string dotted(int a, int b, int c) {
 Json libraries() {
   Json all = {{"Eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
               {"oneTBB", dotted(TBB_VERSION_MAJOR, TBB_VERSION_MINOR, TBB_VERSION_PATCH)},
+              {"NLopt", dotted(nlopt::version_major(), nlopt::version_minor(), nlopt::version_bugfix())},
               {"nlohmann_json",
                dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)}};
 #ifdef CERES_VERSION_MAJOR

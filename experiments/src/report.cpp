@@ -1,11 +1,7 @@
 #include "rectilin/experiments/report.h"
 
-#include <tbb/parallel_for_each.h>
-
 #include <cmath>
 #include <fstream>
-#include <mutex>
-#include <set>
 
 #include "page.h"
 #include "rectilin/experiments/csv.h"
@@ -106,19 +102,7 @@ class Gallery {
     return {plot.name, plot.caption, plot.figure.width()};
   }
 
-  std::vector<std::string> draw_all() const {
-    std::mutex mutex;
-    std::set<std::string> troubles;
-    tbb::parallel_for_each(names_, [&](const std::string& name) {
-      try {
-        draw(folder_, name);
-      } catch (const FigureError& e) {
-        const std::lock_guard lock(mutex);
-        troubles.insert(e.what());
-      }
-    });
-    return {troubles.begin(), troubles.end()};
-  }
+  std::vector<std::string> draw_all() const { return rectilin::draw_all(folder_, names_); }
 
  private:
   fs::path folder_;

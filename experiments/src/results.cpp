@@ -27,20 +27,6 @@ Rotation rotation_from_json(const Json& rows) {
   return Rotation::from_matrix(m);
 }
 
-/// File names without folders and endings where that leaves them unique, else the sources themselves.
-std::vector<std::string> titles(const std::vector<std::string>& sources) {
-  std::vector<std::string> result;
-  std::map<std::string, int> count;
-  for (const std::string& source : sources) {
-    const bool shape = source.starts_with("shape:");
-    result.push_back(shape ? source.substr(6) : fs::path(source).stem().string());
-    ++count[result.back()];
-  }
-  for (std::size_t i = 0; i < sources.size(); ++i)
-    if (count[result[i]] > 1) result[i] = sources[i];
-  return result;
-}
-
 MeshResult mesh_from_json(const Json& line) {
   MeshResult mesh;
   mesh.name = line.at("mesh").get<std::string>();
@@ -116,6 +102,19 @@ std::vector<const RunResult*> Results::of(std::size_t mesh, std::size_t entry) c
   for (const RunResult& run : runs)
     if (run.mesh == mesh && run.entry == entry) found.push_back(&run);
   return found;
+}
+
+std::vector<std::string> titles(const std::vector<std::string>& sources) {
+  std::vector<std::string> result;
+  std::map<std::string, int> count;
+  for (const std::string& source : sources) {
+    const bool shape = source.starts_with("shape:");
+    result.push_back(shape ? source.substr(6) : fs::path(source).stem().string());
+    ++count[result.back()];
+  }
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    if (count[result[i]] > 1) result[i] = sources[i];
+  return result;
 }
 
 Results load_results(const fs::path& folder) {

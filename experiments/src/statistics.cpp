@@ -86,6 +86,20 @@ std::vector<double> ranks(std::span<const double> values) {
   return result;
 }
 
+double power_law_exponent(std::span<const double> x, std::span<const double> y) {
+  const auto n = static_cast<double>(x.size());
+  double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    mean_x += std::log(x[i]) / n;
+    mean_y += std::log(y[i]) / n;
+  }
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xx += (std::log(x[i]) - mean_x) * (std::log(x[i]) - mean_x);
+    xy += (std::log(x[i]) - mean_x) * (std::log(y[i]) - mean_y);
+  }
+  return xy / xx;
+}
+
 void RunningTime::add(double to_target, double spent) {
   const bool reached = std::isfinite(to_target);
   cost += reached ? to_target : spent;

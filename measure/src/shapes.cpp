@@ -4,6 +4,7 @@
 #include <functional>
 #include <utility>
 
+#include "rectilin/measure/edits.h"
 #include "rectilin/optim/random.h"
 #include "rectilin/optim/rotation.h"
 #include "shapes_random.h"
@@ -15,15 +16,6 @@ namespace {
 
 /// Streams of random numbers, one for each use, so that no setting changes what another one draws.
 enum Stream : std::uint64_t { kShapeStream, kRotationStream, kNoiseStream };
-
-double largest_extent(const std::vector<Vector3>& points) {
-  Vector3 lower = points.front(), upper = lower;
-  for (const auto& p : points) {
-    lower = lower.cwiseMin(p);
-    upper = upper.cwiseMax(p);
-  }
-  return (upper - lower).maxCoeff();
-}
 
 /// What every shape accepts besides its own settings; done in the order noise, rotation, scale.
 struct Finish {
@@ -47,7 +39,7 @@ struct Finish {
   }
 
   void apply(Mesh& mesh) const {
-    if (noise > 0) add_noise(mesh.vertices);
+    if (noise > 0) mesh = with_noise(std::move(mesh), noise, Random(seed).fork(kNoiseStream));
     if (rotate == "none" && scale == 1) return;
     const Eigen::Matrix3d map = scale * rotation();
     for (auto& p : mesh.vertices) p = map * p;
@@ -59,13 +51,6 @@ struct Finish {
       return false;
     rotate = value.get<std::string>();
     return true;
-  }
-
-  void add_noise(std::vector<Vector3>& points) const {
-    Random random = Random(seed).fork(kNoiseStream);
-    const double deviation = noise * largest_extent(points);
-    for (auto& p : points)
-      for (double& coordinate : p) coordinate += deviation * random.normal();
   }
 
   Eigen::Matrix3d rotation() const {

@@ -20,11 +20,11 @@ struct Survey {
   double deviation;
 };
 
-Survey survey(Evaluator& evaluator, Random& random) {
+Survey survey(const Allowance& allowance, Evaluator& evaluator, Random& random) {
   constexpr int kCount = 32;
   Survey result{{Rotation(), std::numeric_limits<double>::infinity()}, 0};
   double mean = 0, squares = 0;  // Welford's recurrence
-  for (int i = 0; i < kCount && !evaluator.exhausted(); ++i) {
+  for (int i = 0; i < kCount && !allowance.spent(); ++i) {
     const Rotation rotation = random_rotation(random);
     const double value = evaluator.value(rotation);
     if (value < result.best.value) result.best = {rotation, value};
@@ -70,6 +70,24 @@ void cool(const AnnealingOptions& options, State state, double hot, std::uint64_
   }
 }
 
+/// All coolings, on one allowance.
+void anneal(const AnnealingOptions& options, const Allowance& allowance, Evaluator& evaluator,
+            Random& random) {
+  const bool had_start = evaluator.has_incumbent();
+  const Incumbent given = evaluator.incumbent();
+  const Survey surveyed = survey(allowance, evaluator, random);
+  State start = had_start ? State{given.rotation, given.value} : surveyed.best;
+  for (int cycle = 0; cycle < options.cycles && !allowance.spent(); ++cycle) {
+    if (cycle > 0 && options.reheat == AnnealingOptions::Reheat::kBest)
+      start = {evaluator.incumbent().rotation, evaluator.incumbent().value};
+    else if (cycle > 0)
+      start.rotation = random_rotation(random), start.value = evaluator.value(start.rotation);
+    const auto left = static_cast<std::uint64_t>(options.cycles - cycle);
+    cool(options, start, options.hot * surveyed.deviation, allowance.remaining() / left, evaluator,
+         random);
+  }
+}
+
 }  // namespace
 
 void AnnealingOptions::bind(Parameters& table) {
@@ -100,19 +118,8 @@ Annealing::Annealing(Options options) : OptimizerWith(options) {
 
 void Annealing::run(Evaluator& evaluator, const Chart&, Random& random) const {
   const Allowance allowance(evaluator, options_.evaluations);
-  const bool had_start = evaluator.has_incumbent();
-  const Incumbent given = evaluator.incumbent();
-  const Survey surveyed = survey(evaluator, random);
-  State start = had_start ? State{given.rotation, given.value} : surveyed.best;
-  for (int cycle = 0; cycle < options_.cycles && !allowance.spent(); ++cycle) {
-    if (cycle > 0 && options_.reheat == AnnealingOptions::Reheat::kBest)
-      start = {evaluator.incumbent().rotation, evaluator.incumbent().value};
-    else if (cycle > 0)
-      start.rotation = random_rotation(random), start.value = evaluator.value(start.rotation);
-    const auto left = static_cast<std::uint64_t>(options_.cycles - cycle);
-    cool(options_, start, options_.hot * surveyed.deviation, allowance.remaining() / left,
-         evaluator, random);
-  }
+  for (int round = 0; !allowance.spent(); ++round)
+    anneal(options_, Allowance(evaluator, allowance.plan(round)), evaluator, random);
 }
 
 }  // namespace rectilin

@@ -7,7 +7,8 @@ namespace rectilin {
 /// Simulated annealing (Kirkpatrick, Gelatt, Vecchi 1983) by random turns of the frame.
 /// Temperatures are relative to the spread of the objective over random rotations, so that the same
 /// settings suit every mesh; the length of the turns follows the share of moves accepted (as in
-/// Corana et al. 1987).
+/// Corana et al. 1987). With nothing but a limit of time it anneals again and again, each time
+/// twice as long (Allowance::plan()), and goes on from the incumbent.
 struct AnnealingOptions {
   enum class Cooling { kGeometric, kLinear, kFast, kBoltzmann };
   enum class Reheat { kBest, kRandom };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rectilin/optim/local.h"
+#include "restarts.h"
 
 namespace rectilin {
 
@@ -14,19 +14,17 @@ struct AxisSweepOptions {
   void bind(Parameters& table);
 };
 
-class AxisSweep final : public LocalOptimizerWith<AxisSweepOptions> {
+class AxisSweep final : public RestartedOptimizerWith<AxisSweepOptions> {
  public:
   using Options = AxisSweepOptions;
   static constexpr const char* kName = "axis-sweep";
 
-  explicit AxisSweep(Options options = {}) : LocalOptimizerWith(options) {}
+  explicit AxisSweep(Options options = {}) : RestartedOptimizerWith(options) {}
 
   std::string name() const override { return kName; }
   Capabilities capabilities() const override {
-    return {.uses_chart = false, .local = options_.starts == 1};
+    return {.uses_chart = false, .needs_turns = true, .local = options_.starts == 1};
   }
-  void run(Evaluator& evaluator, const Chart& chart, Random& random) const override;
-  /// Throws ParameterError if the objective has no turns.
   void improve(const Rotation& start, Evaluator& evaluator, const Chart& chart,
                Random& random) const override;
 };

@@ -43,22 +43,18 @@ class Surrogate final : public ceres::FirstOrderFunction {
 }  // namespace
 
 void CeresOptions::bind(Parameters& table) {
-  table
-      .integer("starts", starts, 0, 1000000000,
-               "searches: the first from the incumbent, if there is one, the others from random "
-               "rotations; "
-               "0: until the budget is spent, 10,000 evaluations if it has no limit")
-      .integer("iterations", iterations, 1, 1000000, "iterations of L-BFGS in each round, at most");
+  bind_starts(
+      table, starts,
+      "descents, the first from the incumbent, if there is one, the others from random rotations");
+  table.integer("iterations", iterations, 1, 1000000,
+                "iterations of L-BFGS in each round, at most");
   graduation.bind(table);
-}
-
-void CeresSearch::run(Evaluator& evaluator, const Chart& chart, Random& random) const {
-  improve_from_starts(*this, options_.starts, /*from_incumbent=*/true, evaluator, chart, random);
 }
 
 void CeresSearch::improve(const Rotation& start, Evaluator& evaluator, const Chart&,
                           Random&) const {
-  require_smooth(evaluator.objective(), kName);
+  // Whatever cuts the search off, the objective itself has been asked for.
+  if (!evaluator.has_incumbent()) evaluator.value(start);
   Eigen::Quaterniond q = start.quaternion();
   ceres::GradientProblemSolver::Options solver;
   solver.logging_type = ceres::SILENT;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "graduated.h"
-#include "rectilin/optim/local.h"
+#include "restarts.h"
 
 namespace rectilin {
 
@@ -14,19 +14,17 @@ struct CeresOptions {
   void bind(Parameters& table);
 };
 
-class CeresSearch final : public LocalOptimizerWith<CeresOptions> {
+class CeresSearch final : public RestartedOptimizerWith<CeresOptions> {
  public:
   using Options = CeresOptions;
   static constexpr const char* kName = "ceres";
 
-  explicit CeresSearch(Options options = {}) : LocalOptimizerWith(options) {}
+  explicit CeresSearch(Options options = {}) : RestartedOptimizerWith(options) {}
 
   std::string name() const override { return kName; }
   Capabilities capabilities() const override {
-    return {.uses_chart = false, .local = options_.starts == 1};
+    return {.uses_chart = false, .needs_smooth = true, .local = options_.starts == 1};
   }
-  void run(Evaluator& evaluator, const Chart& chart, Random& random) const override;
-  /// Throws ParameterError if the objective has no smooth surrogate.
   void improve(const Rotation& start, Evaluator& evaluator, const Chart& chart,
                Random& random) const override;
 };

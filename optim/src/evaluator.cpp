@@ -58,7 +58,9 @@ SmoothValue Evaluator::smooth(const Rotation& rotation, double width) {
   if (affordable(1, Costs::kPerSmooth) == 0)
     return {std::numeric_limits<double>::infinity(), Eigen::Matrix3d::Zero()};
   ++costs_.smooths;
-  return objective_.smooth(rotation, width);
+  const SmoothValue smooth = objective_.smooth(rotation, width);
+  digest(smooth.value);
+  return smooth;
 }
 
 double Evaluator::turn(Rotation& rotation, int k) {
@@ -77,7 +79,7 @@ void Evaluator::raise_lower_bound(double bound) {
 }
 
 bool Evaluator::exhausted() const {
-  return remaining() == 0 || stop_.stop_requested() || seconds() >= budget_.seconds;
+  return remaining() == 0 || stop_.stop_requested() || (budget_.limits_seconds() && seconds_left() <= 0);
 }
 
 std::uint64_t Evaluator::remaining() const {
@@ -95,11 +97,13 @@ std::size_t Evaluator::affordable(std::size_t count, std::uint64_t price) const 
 }
 
 void Evaluator::account(const Rotation& rotation, double value, std::uint64_t evaluations) {
-  digest_ = (digest_ ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3u;
+  digest(value);
   if (!(value < incumbent_.value)) return;
   incumbent_ = {rotation, value};
   record(evaluations);
 }
+
+void Evaluator::digest(double value) { digest_ = (digest_ ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3u; }
 
 void Evaluator::record(std::uint64_t evaluations) {
   trace_.push_back({evaluations, seconds(), incumbent_.value,

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <cmath>
-#include <string>
 
-#include "rectilin/optim/evaluator.h"
 #include "rectilin/optim/parameters.h"
 
 namespace rectilin {
@@ -30,11 +28,5 @@ struct Graduation {
         .integer("rounds", rounds, 1, 1000, "rounds, each from where the one before it ended");
   }
 };
-
-/// Throws ParameterError if the objective has no smooth surrogate; `owner` is who needs it.
-inline void require_smooth(const Objective& objective, const std::string& owner) {
-  if (!objective.has_smooth())
-    throw ParameterError(owner + ": '" + objective.name() + "' has no smooth surrogate");
-}
 
 }  // namespace rectilin

@@ -2,22 +2,21 @@
 
 #include <algorithm>
 
+#include "restarts.h"
+
 namespace rectilin {
 
 void MultistartOptions::bind(Parameters& table) {
-  table
-      .custom(
-          "local",
-          "a local optimizer, its settings separated by commas: nelder-mead?size=0.1,restarts=2",
-          [this](const Json& value) {
-            if (!value.is_string()) return false;
-            local = value.get<std::string>();
-            return true;
-          },
-          [this] { return Json(local); }, "method run from each start")
-      .integer(
-          "starts", starts, 0, 1000000000,
-          "random starts; 0: until the budget is spent, 10,000 evaluations if it has no limit");
+  table.custom(
+      "local",
+      "a local optimizer, its settings separated by commas: nelder-mead?size=0.1,restarts=2",
+      [this](const Json& value) {
+        if (!value.is_string()) return false;
+        local = value.get<std::string>();
+        return true;
+      },
+      [this] { return Json(local); }, "method run from each start");
+  bind_starts(table, starts, "random starts");
 }
 
 Multistart::Multistart(Options options, const Registry& registry)

@@ -24,7 +24,7 @@ inline constexpr NloptAlgorithm kNloptAlgorithms[] = {
     {nlopt::LN_BOBYQA, "LN_BOBYQA", "quadratic models in a box (Powell 2009); local"},
     {nlopt::LN_NEWUOA_BOUND, "LN_NEWUOA_BOUND",
      "quadratic models (Powell 2004), with bounds; local"},
-    {nlopt::LN_PRAXIS, "LN_PRAXIS", "principal axes (Brent 1972); local"},
+    {nlopt::LN_PRAXIS, "LN_PRAXIS", "principal axes (Brent 1973); local"},
     {nlopt::LN_NELDERMEAD, "LN_NELDERMEAD", "simplex (Nelder and Mead 1965), in the chart; local"},
     {nlopt::LN_SBPLX, "LN_SBPLX", "simplices on subspaces (Rowan 1990); local"},
     {nlopt::LD_LBFGS, "LD_LBFGS", "limited-memory BFGS (Nocedal 1980), smooth surrogate; local"},

@@ -135,11 +135,16 @@ class NloptSearch : public OptimizerWith<NloptOptions> {
   std::string name() const override { return "nlopt:" + std::string(options_.algorithm->name); }
 
   Capabilities capabilities() const override {
-    return {.uses_random = options_.algorithm->uses_start, .local = options_.algorithm->local()};
+    return {.uses_random = options_.algorithm->uses_start,
+            .needs_smooth = options_.gradient(),
+            .local = options_.algorithm->local()};
   }
 
   void run(Evaluator& evaluator, const Chart& chart, Random& random) const override {
-    search_from(start_of(evaluator, random), evaluator, chart, random);
+    const Rotation start = options_.algorithm->uses_start
+                               ? start_of(evaluator, random)
+                               : chart.from_unit(Eigen::Vector3d::Constant(0.5));
+    search_from(start, evaluator, chart, random);
   }
 
  protected:
@@ -149,25 +154,46 @@ class NloptSearch : public OptimizerWith<NloptOptions> {
     const Allowance allowance(evaluator, options_.evaluations);
     Task task(evaluator, chart, allowance);
     Eigen::Vector3d x = chart.coordinates(start);
-    if (!options_.gradient()) return minimise(task, allowance.remaining(), x, chart);
+    if (!options_.gradient()) return minimise(task, allowance.remaining(), x, chart, evaluator);
 
-    require_smooth(evaluator.objective(), name());
+    // Whatever cuts the search off, the objective itself has been asked for.
+    if (!evaluator.has_incumbent()) evaluator.value(chart.rotation(x));
+    if (options_.algorithm->local())
+      descend(task, allowance, x, chart, evaluator);
+    else
+      search_surrogate(task, allowance, x, chart, evaluator);
+  }
+
+ private:
+  void descend(Task& task, const Allowance& allowance, Eigen::Vector3d x, const Chart& chart,
+               const Evaluator& evaluator) const {
     const Graduation& widths = options_.graduation;
     for (int round = 0; round < widths.rounds; ++round) {
       task.smooth(widths.at(round));
-      minimise(task, allowance.remaining() / Costs::kPerSmooth, x, chart);
+      minimise(task, allowance.remaining() / Costs::kPerSmooth, x, chart, evaluator);
       x = task.settle().value_or(x);
     }
   }
 
- private:
-  void minimise(Task& task, std::uint64_t calls, const Eigen::Vector3d& start,
-                const Chart& chart) const {
-    if (calls == 0) return;
+  /// The objective is asked for when a search has ended, so there has to be an end before the time
+  /// is over.
+  void search_surrogate(Task& task, const Allowance& allowance, const Eigen::Vector3d& start,
+                        const Chart& chart, const Evaluator& evaluator) const {
+    int round = 0;
+    do {
+      task.smooth(options_.graduation.narrow);
+      minimise(task, allowance.plan(round++) / Costs::kPerSmooth, start, chart, evaluator);
+      task.settle();
+    } while (allowance.timed() && !allowance.spent());
+  }
+
+  void minimise(Task& task, std::uint64_t calls, const Eigen::Vector3d& start, const Chart& chart,
+                const Evaluator& evaluator) const {
+    if (calls == 0 || evaluator.exhausted()) return;
     // An nlopt::opt must not be copied once it has its objective: the copy would report to the
     // original.
     nlopt::opt opt(options_.algorithm->id, 3);
-    set_limits(opt, calls);
+    set_limits(opt, calls, evaluator);
     opt.set_lower_bounds(list(chart.lower()));
     opt.set_upper_bounds(list(chart.upper()));
     const std::vector<double> step = list(options_.step * (chart.upper() - chart.lower()));
@@ -175,7 +201,7 @@ class NloptSearch : public OptimizerWith<NloptOptions> {
     if (options_.population > 0) opt.set_population(static_cast<unsigned>(options_.population));
     if (options_.algorithm->sublocal) {
       nlopt::opt inner(options_.sublocal->id, 3);
-      set_limits(inner, calls);
+      set_limits(inner, calls, evaluator);
       if (!options_.gradient()) inner.set_initial_step(step);
       opt.set_local_optimizer(inner);
     }
@@ -190,8 +216,11 @@ class NloptSearch : public OptimizerWith<NloptOptions> {
     }
   }
 
-  void set_limits(nlopt::opt& opt, std::uint64_t calls) const {
+  /// Some algorithms go on asking after force_stop(), so they are told of the limits, too.
+  void set_limits(nlopt::opt& opt, std::uint64_t calls, const Evaluator& evaluator) const {
     opt.set_xtol_abs(options_.tolerance);
+    if (evaluator.budget().limits_seconds())
+      opt.set_maxtime(std::max(1e-9, evaluator.seconds_left()));
     opt.set_maxeval(
         static_cast<int>(std::min<std::uint64_t>(calls, std::numeric_limits<int>::max())));
   }

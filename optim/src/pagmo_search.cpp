@@ -161,15 +161,15 @@ class PagmoSearch : public OptimizerWith<PagmoOptions> {
     const Allowance allowance(evaluator, options_.evaluations);
     std::optional<Rotation> start;
     if (evaluator.has_incumbent()) start = evaluator.incumbent().rotation;
-    for (; !allowance.spent(); start.reset())
-      evolve({&evaluator, &chart, &allowance}, start, random);
+    for (int round = 0; !allowance.spent(); ++round, start.reset())
+      evolve({&evaluator, &chart, &allowance}, allowance.plan(round), start, random);
   }
 
  protected:
-  void evolve(const BoxProblem& problem, const std::optional<Rotation>& start,
+  /// One population. The library lays out its schedules for `length` evaluations.
+  void evolve(const BoxProblem& problem, std::uint64_t length, const std::optional<Rotation>& start,
               Random& random) const {
-    const auto left =
-        static_cast<unsigned>(std::min<std::uint64_t>(problem.allowance->remaining(), 1000000000));
+    const auto left = static_cast<unsigned>(std::min<std::uint64_t>(length, 1000000000));
     const auto size = static_cast<unsigned>(options_.population);
     const unsigned generations = options_.generations > 0
                                      ? static_cast<unsigned>(options_.generations)
@@ -198,7 +198,7 @@ class PagmoLocal final : public PagmoSearch, public LocalSearch {
   void improve(const Rotation& start, Evaluator& evaluator, const Chart& chart,
                Random& random) const override {
     const Allowance allowance(evaluator, options_.evaluations);
-    evolve({&evaluator, &chart, &allowance}, start, random);
+    evolve({&evaluator, &chart, &allowance}, allowance.plan(0), start, random);
   }
 };
 

@@ -16,16 +16,7 @@ Json Pipeline::parameters() const {
 
 Capabilities Pipeline::capabilities() const {
   Capabilities all = stages_.front()->capabilities();
-  for (const auto& stage : stages_) {
-    const Capabilities one = stage->capabilities();
-    all.deterministic &= one.deterministic;
-    all.uses_chart |= one.uses_chart;
-    all.uses_random |= one.uses_random;
-    all.batches |= one.batches;
-    all.needs_cuts |= one.needs_cuts;
-    all.certifies |= one.certifies;
-    all.local &= one.local;
-  }
+  for (const auto& stage : stages_) all = together(all, stage->capabilities());
   return all;
 }
 

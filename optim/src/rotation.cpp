@@ -1,7 +1,9 @@
 #include "rectilin/optim/rotation.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace rectilin {
@@ -82,7 +84,18 @@ Rotation reduce_to_zone(const Rotation& rotation) {
 }
 
 double frame_angle(const Rotation& a, const Rotation& b) {
-  return angle_between(Rotation(), reduce_to_zone(b * a.inverse()));
+  // The 24 symmetries are the quaternions (1,0,0,0), (1,1,0,0)/sqrt(2) and (1,1,1,1)/2 with all permutations and
+  // signs, so the largest real part of a product with them comes from the sizes of the components, sorted.
+  std::array<double, 4> q;
+  Eigen::Map<Eigen::Vector4d>(q.data()) = (b * a.inverse()).quaternion().coeffs().cwiseAbs();
+  std::sort(q.begin(), q.end(), std::greater());
+  const auto [w, x, y, z] = q;
+  const Eigen::Vector4d best[3] = {{w, x, y, z},
+                                   Eigen::Vector4d(w + x, w - x, y + z, y - z) * std::numbers::sqrt2 / 2,
+                                   Eigen::Vector4d(w + x + y + z, w + x - y - z, w - x + y - z, w - x - y + z) / 2};
+  const auto& closest = *std::max_element(std::begin(best), std::end(best),
+                                          [](const auto& p, const auto& r) { return p[0] < r[0]; });
+  return 2 * std::atan2(closest.tail<3>().norm(), closest[0]);
 }
 
 }  // namespace rectilin

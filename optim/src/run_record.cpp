@@ -50,6 +50,7 @@ RunRecord run_optimizer(const Optimizer& optimizer, const Objective& objective, 
   Evaluator evaluator(objective, settings.budget, settings.stop);
   Random random(settings.seed);
   try {
+    require_needs(optimizer, objective);
     optimizer.run(evaluator, *settings.chart, random);
     if (settings.stop.stop_requested()) record.outcome = RunRecord::Outcome::kStopped;
     else if (evaluator.exhausted()) record.outcome = RunRecord::Outcome::kBudget;

@@ -25,8 +25,11 @@ Rotation super_fibonacci(std::uint64_t i, std::uint64_t count) {
 }
 
 void SuperFibonacci::run(Evaluator& evaluator, const Chart&, Random&) const {
-  const std::uint64_t count = Allowance(evaluator, options_.count).remaining();
-  evaluate_all(evaluator, count, [count](std::uint64_t i) { return super_fibonacci(i, count); });
+  const Allowance allowance(evaluator, options_.count);
+  for (int round = 0; !allowance.spent(); ++round) {
+    const std::uint64_t count = allowance.plan(round);
+    evaluate_all(evaluator, count, [count](std::uint64_t i) { return super_fibonacci(i, count); });
+  }
 }
 
 }  // namespace rectilin

@@ -15,12 +15,14 @@ namespace {
 /// they are the same for everyone who recomputes the cut.
 constexpr double kJitter = 1e-8, kJitterPerGap = 0.01;
 
+constexpr std::size_t kOpenPerRound = 16, kGrowth = 16;  // a round takes a 16th of the open cells, up to 16 batches
 constexpr int kRetries = 3;                  // times new cuts may be tried before a cell is halved
 constexpr std::uint64_t kCellsBeforeBalls = 100;
+constexpr std::uint64_t kGeneratorsPerCell = 100;  // looked at for a ball in about the time of a cell, or less
 
-constexpr std::uint64_t kCellsBeforeMinorants = 1000;
+constexpr std::uint64_t kCellsBeforeMinorants = 20'000;  // by then the incumbent tells how flat it is
 // What minorants on the sphere cost, in cells.
-constexpr double kManyCells = 1e6, kCellsPerGenerator = 20;
+constexpr double kManyCells = 3e6, kCellsPerGenerator = 20;
 
 }  // namespace
 
@@ -66,6 +68,7 @@ CertifyResult BranchAndBound::run() {
   result_.incumbent = evaluator_.incumbent();
   result_.closed = evaluator_.has_incumbent() && (heap_.empty() || facts_.floor >= cutoff_);
   result_.largest_heap = heap_.largest();
+  if (proof_) settle_open_cells();
   return std::move(result_);
 }
 
@@ -75,8 +78,11 @@ bool BranchAndBound::stopped() const {
 }
 
 void BranchAndBound::take_round() {
+  // With many cells open, which of them come first matters less than threads at work.
+  const std::size_t batch = static_cast<std::size_t>(options_.batch);
+  const std::size_t most = std::clamp(heap_.size() / kOpenPerRound, batch, kGrowth * batch);
   round_.clear();
-  while (!heap_.empty() && std::ssize(round_) < options_.batch) {
+  while (!heap_.empty() && round_.size() < most) {
     Cell cell = heap_.pop();
     if (cell.bound >= enough_) {
       if (!proof_) {
@@ -130,14 +136,19 @@ void BranchAndBound::improve_incumbent(std::span<const Rotation> rotations, std:
 
 void BranchAndBound::update_cutoff() {
   if (!evaluator_.has_incumbent()) return;
-  cutoff_ = cutoff_value(evaluator_.objective(), evaluator_.incumbent().value, options_.gap);
+  // From the incumbent's value as it may be without rounding: the interval is narrow enough when stated outwards.
+  const double value = evaluator_.incumbent().value + 3 * facts_.error;
+  cutoff_ = cutoff_value(evaluator_.objective(), value, options_.gap);
   enough_ = cutoff_ + allowance_;
   balls_are_current_ = false;
 }
 
 void BranchAndBound::update_balls() {
-  if (balls_are_current_ || !options_.balls || proof_ || generators_.size() == 0 || result_.cells < kCellsBeforeBalls) return;
+  if (balls_are_current_ || !options_.balls || proof_ || generators_.size() == 0) return;
+  // So that balls never take more than a part of the time; the ones from before hold all along.
+  if (result_.cells - cells_at_balls_ < std::max(kCellsBeforeBalls, generators_.size() / kGeneratorsPerCell)) return;
   balls_are_current_ = true;
+  cells_at_balls_ = result_.cells;
   balls_.clear();
   result_.ball_angle = kink_ball(generators_, evaluator_.incumbent().rotation, enough_);
   if (result_.ball_angle > 1e-6) balls_.add(evaluator_.incumbent().rotation, result_.ball_angle);
@@ -146,14 +157,14 @@ void BranchAndBound::update_balls() {
 
 /// Minorants on the sphere pay where the whole landscape is flat. The mean of the objective over all rotations is 3/2
 /// of the generators' lengths (the paper's eq. 24); with the best value a fraction d below that, about
-/// 18 d^(-3/2) cells are needed, or as many for the gap if that is larger: so many small balls of the size at which a
-/// cell's curvature hides d fill the zone. Measured on meshes with d from 0.0005 to 0.03.
+/// 6.5 d^(-3/2) cells are needed, or as many for the gap if that is larger: so many small balls of the size at which a
+/// cell's curvature hides d fill the zone. Measured on meshes with d from 0.00005 to 0.03.
 bool BranchAndBound::is_flat() const {
   double mean = 0;
   for (std::size_t i = 0; i < generators_.size(); ++i) mean += 1.5 * generators_[i].norm();
   const double value = evaluator_.incumbent().value;
   const double depth = std::max(mean - value, value - cutoff_) / mean;
-  const double cells = 18 * std::pow(depth, -1.5);
+  const double cells = 6.5 * std::pow(depth, -1.5);
   return cells > std::max(kManyCells, kCellsPerGenerator * static_cast<double>(generators_.size()));
 }
 
@@ -258,6 +269,20 @@ void BranchAndBound::settle(Cell& cell, const PerCut<double>& weight) {
   ++result_.leaves;
   least_settled_ = std::min(least_settled_, cell.bound);
   if (proof_) proof_->set_leaf(cell.node, cell.bundles, weight);
+}
+
+/// What a run that was stopped leaves open become leaves too, of the proof of a lesser bound.
+void BranchAndBound::settle_open_cells() {
+  double least = least_settled_;
+  while (!heap_.empty()) {
+    Cell cell = heap_.pop();
+    cell.bound = -std::numeric_limits<double>::infinity();  // that of these cuts on this cell counts, nothing inherited
+    if (cell.bundles[0].size == 0) return;                  // not even the first cuts were taken
+    const PerCut<double> weight = bounder_.raise(cell, enough_);
+    proof_->set_leaf(cell.node, cell.bundles, weight);
+    least = std::min(least, cell.bound);
+  }
+  proof_->set_bound(least - allowance_);
 }
 
 /// Publishes the bound that holds now.

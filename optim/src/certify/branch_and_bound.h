@@ -64,6 +64,7 @@ class BranchAndBound {
   void sharpen(Cell& cell) const;
   void merge(Slot& slot);
   void settle(Cell& cell, const PerCut<double>& weight);
+  void settle_open_cells();
   void report();
 
   Evaluator& evaluator_;
@@ -79,6 +80,7 @@ class BranchAndBound {
   std::vector<Slot> round_;
   Balls balls_;
   bool balls_are_current_ = false;
+  std::uint64_t cells_at_balls_ = 0;  // when they were last made
   std::unique_ptr<const SphereMinorants> minorants_;
   bool flatness_is_known_ = false;
   Random jitter_{1};

@@ -10,7 +10,7 @@ void CertifyOptions::bind(Parameters& table) {
   table.real("gap", gap, 0, 10, "stop when the merit is known to within this")
       .integer("cells", cells, 0, 2'000'000'000, "stop after so many boxes of rotations; 0: no limit")
       .real("seconds", seconds, 0, 1e9, "stop after so much time; 0: no limit")
-      .integer("batch", batch, 1, 100'000, "boxes a round")
+      .integer("batch", batch, 1, 100'000, "boxes a round, or more where many are open")
       .integer("bundle", bundle, 1, bounding::Cell::kMaxBundle, "cuts kept on each axis of a box")
       .integer("descent", descent, 0, 1000, "steps of the local search from each better rotation")
       .flag("balls", balls, "certified balls round the incumbent")
@@ -25,7 +25,7 @@ Certificate certificate_of(const bounding::ProofTree& proof, const CertifyResult
   Certificate certificate;
   certificate.tree = "f";
   // Whoever recomputes the leaves' bounds rounds differently, so the claim is a little less than what was proved.
-  const double claim = result.lower - bounding::rounding_allowance(facts);
+  const double claim = std::min(result.lower, proof.bound()) - bounding::rounding_allowance(facts);
   certificate.lower = std::max(claim, facts.floor);
   if (claim > facts.floor) {
     certificate = proof.certificate();
@@ -49,7 +49,7 @@ CertifyResult certify(Evaluator& evaluator, const CertifyOptions& options, Certi
     result.incumbent = evaluator.incumbent();
     result.lower = std::min(result.lower, result.incumbent.value);
   }
-  if (proof && result.closed) *certificate = certificate_of(*proof, result, evaluator.objective().cut_bounds());
+  if (proof) *certificate = certificate_of(*proof, result, evaluator.objective().cut_bounds());
   if (options.optima && result.closed) {
     // A frame is within the gap if its merit is.
     const double best = result.incumbent.value;

@@ -1,5 +1,7 @@
 #include "optima.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -62,14 +64,15 @@ class Search {
     }
     std::vector<Cut> cuts(rotations.size());
     evaluator_.cuts(rotations, cuts);
-    for (std::size_t j = 0; j < owners.size(); ++j) {
-      Candidate& candidate = open_[owners[j]];
-      for (int k = 0; k < 3; ++k) {
-        candidate.cell.bundles[k].add(static_cast<std::uint32_t>(table_.size()), options_.bundle);
-        table_.push_back(cuts[j].gradient.row(k).transpose());
-      }
-      bounder_.raise(candidate.cell, enough_);
-    }
+    const std::size_t first = table_.size();
+    for (const Cut& cut : cuts)
+      for (int k = 0; k < 3; ++k) table_.push_back(cut.gradient.row(k).transpose());
+    tbb::parallel_for(std::size_t{0}, owners.size(), [&](std::size_t j) {
+      Cell& cell = open_[owners[j]].cell;
+      for (std::size_t k = 0; k < 3; ++k)
+        cell.bundles[k].add(static_cast<std::uint32_t>(first + 3 * j + k), options_.bundle);
+      bounder_.raise(cell, enough_);
+    });
   }
 
   /// One local search from each cell; a minimum with a ball of its own takes the cells inside with it.
@@ -98,15 +101,14 @@ class Search {
   }
 
   void halve(int axis) {
-    std::vector<Candidate> halves;
-    for (const Candidate& candidate : open_)
-      for (int side = 0; side < 2; ++side) {
-        Candidate half = candidate;
-        half.cell.box = candidate.cell.box.half(axis, side);
-        if (!half.cell.box.meets_zone() || balls_.holding(half.cell.box) >= 0) continue;
-        bounder_.raise(half.cell, enough_);
-        if (half.cell.bound < enough_) halves.push_back(half);
-      }
+    std::vector<Candidate> halves(2 * open_.size());
+    tbb::parallel_for(std::size_t{0}, halves.size(), [&](std::size_t i) {
+      Candidate& half = halves[i] = open_[i / 2];
+      half.cell.box = half.cell.box.half(axis, static_cast<int>(i % 2));
+      if (half.cell.box.meets_zone() && balls_.holding(half.cell.box) < 0) bounder_.raise(half.cell, enough_);
+      else half.cell.bound = enough_;
+    });
+    std::erase_if(halves, [this](const Candidate& c) { return c.cell.bound >= enough_; });
     open_ = std::move(halves);
   }
 
@@ -137,7 +139,9 @@ class Search {
     };
     for (std::size_t i = 0; i < pieces.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if (find(i) != find(j) && frame_angle(pieces[i].centre, pieces[j].centre) <= width) root[std::max(find(i), find(j))] = std::min(find(i), find(j));
+        if (const auto [low, high] = std::minmax({find(i), find(j)});
+            low != high && frame_angle(pieces[i].centre, pieces[j].centre) <= width)
+          root[high] = low;
     for (std::size_t r = 0; r < pieces.size(); ++r) {
       if (find(r) != r) continue;
       std::vector<Piece> component;

@@ -20,18 +20,39 @@ struct Condition {
   double length;           // the generator's
 };
 
-/// All faces within `tolerance` of being parallel to an axis, the largest first.
-std::vector<Condition> near_parallel(const Generators& generators, const Rotation& frame, double tolerance) {
-  std::vector<Condition> found;
-  for (std::size_t i = 0; i < generators.size(); ++i) {
-    const Eigen::Vector3d v = generators[i];
-    const double length = v.norm();
-    for (int k = 0; k < 3; ++k)
-      if (std::abs(frame.axis(k).dot(v)) <= tolerance * length) found.push_back({{k, i}, v / length, length});
+/// Faces nearly parallel to the axes of frames round one of them. All are looked at once; there may be millions.
+class Neighbourhood {
+ public:
+  Neighbourhood(const Generators& generators, const Rotation& centre) : generators_(generators) { move_to(centre); }
+
+  /// All faces within `tolerance` of being parallel to an axis, the largest first.
+  std::vector<Condition> near_parallel(const Rotation& frame, double tolerance) {
+    if (angle_between(centre_, frame) + tolerance > kReach) move_to(frame);
+    std::vector<Condition> found;
+    for (const Condition& c : near_)
+      if (std::abs(frame.axis(c.face.axis).dot(c.normal)) <= tolerance) found.push_back(c);
+    return found;
   }
-  std::ranges::stable_sort(found, std::ranges::greater(), &Condition::length);
-  return found;
-}
+
+ private:
+  static constexpr double kReach = 3e-4;  // radians
+
+  void move_to(const Rotation& frame) {
+    centre_ = frame;
+    near_.clear();
+    for (std::size_t i = 0; i < generators_.size(); ++i) {
+      const Eigen::Vector3d v = generators_[i], products = frame.matrix() * v;
+      const double length = v.norm();
+      for (int k = 0; k < 3; ++k)
+        if (std::abs(products[k]) <= kReach * length) near_.push_back({{k, i}, v / length, length});
+    }
+    std::ranges::stable_sort(near_, std::ranges::greater(), &Condition::length);
+  }
+
+  Generators generators_;
+  Rotation centre_;
+  std::vector<Condition> near_;  // within kReach at the centre
+};
 
 /// How r_k . n changes as the frame turns about the mesh's coordinate axes.
 Eigen::Vector3d derivative(const Condition& c, const Rotation& frame) {
@@ -74,17 +95,17 @@ Rotation solve(const std::vector<Condition>& conditions, Rotation frame) {
 }  // namespace
 
 std::vector<ActiveFace> polish(Evaluator& evaluator) {
-  const Generators generators = evaluator.objective().generators();
   Rotation start = evaluator.incumbent().rotation;
   descend(evaluator, start, evaluator.cut(start), kDescent, 0);
   start = evaluator.incumbent().rotation;
+  Neighbourhood faces(evaluator.objective().generators(), start);
   for (const double tolerance : kTolerances) {
-    const std::vector<Condition> conditions = independent(near_parallel(generators, start, tolerance), start);
+    const std::vector<Condition> conditions = independent(faces.near_parallel(start, tolerance), start);
     if (!conditions.empty()) evaluator.value(solve(conditions, start));
   }
   const Rotation& end = evaluator.incumbent().rotation;
   std::vector<ActiveFace> active;
-  for (const Condition& c : independent(near_parallel(generators, end, kParallelInTheEnd), end))
+  for (const Condition& c : independent(faces.near_parallel(end, kParallelInTheEnd), end))
     active.push_back(c.face);
   return active;
 }

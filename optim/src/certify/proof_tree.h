@@ -1,6 +1,7 @@
 // The record of a search, from which a certificate is written.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,10 @@ class ProofTree {
   /// Remembers the directions of the three cuts that a rotation gave, in the order of the cut table.
   void add_cuts(const Rotation& rotation);
 
+  /// The least bound of all leaves; to be set when every node is halved, a leaf or outside.
+  void set_bound(double bound) { bound_ = bound; }
+  double bound() const { return bound_; }
+
   /// Tree, leaves and the directions they use; everything but the result of the search.
   Certificate certificate() const;
 
@@ -30,6 +35,7 @@ class ProofTree {
     char kind = '?';
     std::uint32_t next = 0;  // first child or leaf
   };
+  double bound_ = -std::numeric_limits<double>::infinity();
   std::vector<Node> nodes_ = {Node()};
   std::vector<Certificate::Leaf> leaves_;  // directions counted as in the cut table
   std::vector<Eigen::Vector3d> directions_;

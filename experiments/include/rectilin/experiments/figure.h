@@ -28,6 +28,7 @@ struct Axis {
   std::string label;
   bool logarithmic = false;
   double lower = 0, upper = 0;  ///< gnuplot's own choice if they are equal
+  double step = 0;              ///< from tic to tic, on a linear axis; gnuplot's own choice if 0
 };
 
 /// A coordinate system with its curves. Columns are counted from 1, as in the CSV file's header.
@@ -39,8 +40,9 @@ struct Panel {
     int x = 1, y = 2;
     std::string label;  ///< in the legend; none if empty
     LineStyle style;
-    bool steps = false;  ///< constant up to the next point
-    bool faint = false;  ///< thin and grey, to be compared with
+    bool steps = false;   ///< constant up to the next point
+    bool points = false;  ///< every row is marked
+    bool faint = false;   ///< thin and grey, to be compared with
   };
   struct Band {
     int x = 1, low = 2, high = 3;
@@ -85,7 +87,16 @@ class Figure {
   std::string commands_;  ///< with @NAME@ for the name
 };
 
+/// A figure with what is said of it; its files are NAME.csv, NAME.gp and NAME.svg.
+struct Plot {
+  std::string name, caption;
+  Figure figure;
+};
+
 /// Runs gnuplot on NAME.gp in its folder. Thread safe. Throws FigureError in one line.
 void draw(const std::filesystem::path& folder, const std::string& name);
+
+/// The same for many at once; returns a line for each kind of trouble.
+std::vector<std::string> draw_all(const std::filesystem::path& folder, const std::vector<std::string>& names);
 
 }  // namespace rectilin

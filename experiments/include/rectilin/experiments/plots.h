@@ -12,12 +12,6 @@ namespace rectilin {
 /// Line style of every entry: a colour for each optimizer, a dash for each of its domains.
 std::vector<LineStyle> styles(const Plan& plan);
 
-/// A figure with what is said of it; its files are NAME.csv, NAME.gp and NAME.svg.
-struct Plot {
-  std::string name, caption;
-  Figure figure;
-};
-
 /// Gap against cost on one mesh: medians of all entries in one picture.
 Plot convergence_plot(const Results& results, std::size_t mesh, Cost unit);
 /// The same, a panel for each entry, with the band from the 10 % to the 90 % quantile.

@@ -65,6 +65,9 @@ struct Results {
   std::vector<const RunResult*> of(std::size_t mesh, std::size_t entry) const;
 };
 
+/// Short names of sources: file names without folders and endings where that leaves them unique, else the sources.
+std::vector<std::string> titles(const std::vector<std::string>& sources);
+
 /// Reads plan.json, meshes.jsonl and runs.jsonl. Gaps are to the certified upper bound of R, so they are never
 /// too small, and at least the certificate's width; before its first evaluation a run has the gap of the least
 /// R there can be (P <= sqrt(3) S, eq. 12). Throws std::runtime_error if the folder holds no comparison.

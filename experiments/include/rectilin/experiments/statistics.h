@@ -16,6 +16,10 @@ inline double median(std::vector<double> sample) { return quantile(std::move(sam
 /// Ranks 1, 2, ... from the least; equal values share the mean of their ranks.
 std::vector<double> ranks(std::span<const double> values);
 
+/// The exponent p of y ~ x^p: the slope of the least-squares line through the logarithms. Both of one length, all
+/// positive; NaN for fewer than two different x.
+double power_law_exponent(std::span<const double> x, std::span<const double> y);
+
 /// What it costs to reach a target if a run that missed it is followed by another (Hansen et al. 2021, section
 /// "expected runtime"): all costs, of successes until the target and of failures until their end, over the
 /// number of successes.

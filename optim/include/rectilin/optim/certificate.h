@@ -31,8 +31,6 @@ struct Certificate {
   Rotation rotation;  ///< the incumbent
   double value = 0;   ///< the objective there
   double lower = 0;   ///< proved: no rotation has a smaller value
-
-  bool empty() const { return tree.empty(); }
 };
 
 /// The certificate as JSON: format, version, "mesh" (which says what it is about), and the fields above.

@@ -16,7 +16,7 @@ struct CertifyOptions {
   double gap = 1e-6;       ///< stop when merit(lower bound) - merit(incumbent) is this small
   int cells = 20'000'000;  ///< stop after so many boxes; 0: no limit
   double seconds = 0;      ///< stop after so much time; 0: no limit
-  int batch = 32;          ///< boxes a round; the result depends on it, but not on the number of threads
+  int batch = 32;          ///< boxes a round at least, sixteen times as many at most; the result depends on it, but not on the number of threads
   int bundle = 6;          ///< cuts kept on each axis of a box
   int descent = 15;        ///< steps of the local search from every better rotation that turns up
   bool balls = true;       ///< use certified balls round the incumbent (needs generators)
@@ -69,8 +69,8 @@ struct CertifyResult {
 };
 
 /// Throws ParameterError if the objective has no cuts. With `certificate` the run records a proof that others can
-/// check; it then does without balls and minorants, which costs little but on nearly round meshes. The
-/// certificate is empty if the gap was not closed.
+/// check; it then does without balls and minorants, which costs little but on nearly round meshes. A run
+/// that is stopped before the gap is closed proves what it got to.
 CertifyResult certify(Evaluator& evaluator, const CertifyOptions& options, Certificate* certificate = nullptr);
 
 class Certify final : public OptimizerWith<CertifyOptions> {

@@ -11,16 +11,24 @@
 
 namespace rectilin {
 
-/// What an optimizer is like; shown to people and used to pick fair comparisons.
+/// What an optimizer is like and what it asks of an objective.
 struct Capabilities {
   bool deterministic = true;  ///< same seed and budget in evaluations, same trace, for any number of threads
   bool uses_chart = true;     ///< searches the chart's box; otherwise it works on rotations themselves
   bool uses_random = true;    ///< the seed matters
   bool batches = false;       ///< asks for many values at a time
   bool needs_cuts = false;    ///< asks for cuts
+  bool needs_smooth = false;  ///< asks for the smooth surrogate
+  bool needs_turns = false;   ///< asks for best turns
   bool certifies = false;     ///< reports lower bounds
   bool local = false;         ///< improves a start (the incumbent, if there is one) rather than searching everywhere
 };
+
+/// Every capability with its name, in the order of declaration: `{"deterministic": true, ...}`.
+Json to_json(const Capabilities& capabilities);
+
+/// What the whole can do and needs if it runs all its parts: deterministic and local if all are, else what any is.
+Capabilities together(const Capabilities& a, const Capabilities& b);
 
 /// Immutable and thread safe: one optimizer may serve many runs at once.
 class Optimizer {
@@ -37,6 +45,9 @@ class Optimizer {
   /// If the evaluator has an incumbent already, a local optimizer starts there and a global one may use it.
   virtual void run(Evaluator& evaluator, const Chart& chart, Random& random) const = 0;
 };
+
+/// Throws ParameterError if `objective` does not offer what `optimizer` needs. run_optimizer() asks before it begins.
+void require_needs(const Optimizer& optimizer, const Objective& objective);
 
 /// Base of an optimizer whose settings are a struct with `bind(Parameters&)`; see genetic.h for the pattern.
 template <class Options>

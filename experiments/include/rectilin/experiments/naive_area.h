@@ -4,7 +4,7 @@
 #include "rectilin/measure/area_vectors.h"
 #include "rectilin/optim/objective.h"
 
-namespace rectilin::bench {
+namespace rectilin {
 
 /// sum |u . v_i| in plain C++, compiled with the project's flags. Its additions must stay in order,
 /// so compilers leave it scalar.
@@ -22,4 +22,4 @@ class NaiveArea final : public Objective {
   const AreaVectors& vectors_;
 };
 
-}  // namespace rectilin::bench
+}  // namespace rectilin

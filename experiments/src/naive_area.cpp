@@ -1,8 +1,8 @@
-#include "naive.h"
+#include "rectilin/experiments/naive_area.h"
 
 #include <cmath>
 
-namespace rectilin::bench {
+namespace rectilin {
 
 double naive_value(const AreaVectors& vectors, const Vector3& u) {
   const double *x = vectors.x.data(), *y = vectors.y.data(), *z = vectors.z.data();
@@ -20,4 +20,4 @@ void NaiveArea::values(std::span<const Rotation> rotations, std::span<double> va
   }
 }
 
-}  // namespace rectilin::bench
+}  // namespace rectilin

@@ -1,0 +1,144 @@
+// rectilin experiment: the paper's figures again, each as a reproducible program.
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "commands.h"
+#include "rectilin/experiments/experiment.h"
+#include "rectilin/measure/source.h"
+#include "terminal.h"
+
+namespace rectilin::app {
+namespace {
+
+struct ExperimentOptions {
+  std::string spec;
+  std::vector<std::string> meshes;
+  std::string out = "experiments";
+  std::uint64_t seed = 1;
+  std::optional<double> gap;
+  int threads = 0;
+  bool quick = false;
+};
+
+constexpr const char* kAll = "all";
+
+void list() {
+  std::cout << "The experiments; rectilin experiment NAME runs one, rectilin experiment all runs "
+               "all of them.\n\n";
+  for (const Experiment& experiment : experiments()) {
+    std::cout << experiment.name << "\n    " << experiment.title;
+    if (!experiment.takes.empty()) std::cout << "; takes " << experiment.takes;
+    std::cout << '\n';
+    std::cout << settings_table(experiment.parameters);
+  }
+  std::cout << "\nSettings go behind the name: rectilin experiment 'fig15?steps=1000'. Pictures, "
+               "data and index.html,\n"
+               "which shows all experiments made so far, go to the folder 'experiments' or what "
+               "--out says.\n";
+}
+
+class Runner {
+ public:
+  Runner(const ExperimentOptions& options, std::string command_line)
+      : options_(options), command_line_(std::move(command_line)) {
+    context_.meshes = expand_folders(options.meshes);
+    context_.seed = options.seed;
+    if (options.quick) context_.gap = 1e-4;
+    if (options.gap) context_.gap = *options.gap;
+    context_.stop = stop_on_interrupt();
+  }
+
+  /// Returns the exit status.
+  int run(const Experiment& experiment, const Json& given) {
+    Json settings = options_.quick ? experiment.quick : Json::object();
+    settings.update(given);
+    ExperimentOutcome outcome;
+    {
+      std::optional<Progress> progress;
+      context_.on_progress = [&, of = std::size_t{0}](std::size_t done, std::size_t total,
+                                                      const std::string& text) mutable {
+        if (total != std::exchange(of, total)) progress.emplace(total);
+        progress->show(done, experiment.name + ": " + text);
+      };
+      outcome = run_experiment(experiment, settings, context_, options_.out, command_line_);
+    }
+    write_experiment_page(options_.out);
+    for (const std::string& error : outcome.mesh_errors) complain(error);
+    for (const std::string& trouble : outcome.picture_troubles) complain(trouble);
+    std::cout << experiment.name << ": " << outcome.says << '\n' << std::flush;
+    return outcome.mesh_errors.empty() ? 0 : 1;
+  }
+
+ private:
+  const ExperimentOptions& options_;
+  std::string command_line_;
+  ExperimentContext context_;
+};
+
+int experiment(const ExperimentOptions& options, const std::string& command_line) {
+  if (options.spec.empty()) {
+    list();
+    return 0;
+  }
+  std::optional<tbb::global_control> limit;
+  if (options.threads > 0)
+    limit.emplace(tbb::global_control::max_allowed_parallelism,
+                  static_cast<std::size_t>(options.threads));
+
+  Runner runner(options, command_line);
+  int status = 0;
+  if (options.spec != kAll) {
+    const Spec spec = Spec::parse(options.spec);
+    status = runner.run(find_experiment(spec.name), spec.settings);
+  } else {
+    if (!options.meshes.empty())
+      throw ParameterError("'all' takes no meshes; give them to one experiment at a time");
+    for (const Experiment& one : experiments())
+      status = std::max(status, runner.run(one, Json::object()));
+  }
+  std::cout << options.out << "/index.html\n";
+  return status;
+}
+
+}  // namespace
+
+void add_experiment_command(CLI::App& app, int& status, int argc, const char* const* argv) {
+  auto options = std::make_shared<ExperimentOptions>();
+  CLI::App* command = app.add_subcommand("experiment", "Make the paper's figures again");
+  command->add_option("experiment", options->spec,
+                      "Experiment, with settings: fig15?steps=32; or all. Without it: a list of "
+                      "them with their settings");
+  command->add_option("mesh", options->meshes,
+                      "Mesh files, folders of them, built-in shapes (shape:NAME?key=value), for "
+                      "experiments that take "
+                      "meshes; without, they make their own");
+  command->add_option("-O,--out", options->out, "Folder for everything")->capture_default_str();
+  command->add_option("-s,--seed", options->seed, "Seed of everything random")
+      ->capture_default_str();
+  command->add_option("-g,--gap", options->gap, "Width to which R is certified (default: 1e-6)")
+      ->check(CLI::NonNegativeNumber);
+  command->add_flag("-q,--quick", options->quick,
+                    "Small: about a second for each experiment, and a gap of 1e-4");
+  command
+      ->add_option("-t,--threads", options->threads,
+                   "Threads (default: all); the answer is the same for any")
+      ->check(CLI::PositiveNumber);
+  command->footer(
+      "Every R is certified. OUT/NAME.json holds all numbers, and each picture has its CSV and "
+      "gnuplot files beside\n"
+      "it. OUT/index.html shows all experiments in the folder. One line says how the outcome "
+      "compares with the paper.\n"
+      "Examples: rectilin experiment\n"
+      "          rectilin experiment all\n"
+      "          rectilin experiment 'fig15?steps=1000' --out pyramids");
+  command->callback([options, &status, argc, argv] {
+    status = experiment(*options, quoted_command_line(argc, argv));
+  });
+}
+
+}  // namespace rectilin::app

@@ -1,0 +1,47 @@
+// A mesh measured: a row of the table or a line of JSON.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rectilin/measure/mesh.h"
+#include "rectilin/optim/certify.h"
+#include "rectilin/optim/run_record.h"
+#include "terminal.h"
+
+namespace rectilin::app {
+
+/// A measured mesh, or why there is none.
+struct Row {
+  std::string name;
+  std::string error;
+  MeshReport report;
+  std::size_t faces = 0, directions = 0;
+  double area = 0;
+  RunRecord run;
+  double value_error = 0;  ///< rounding of the objective's values
+  std::optional<CertifyResult> certified;
+  Json parallel_faces;
+};
+
+/// Measures a source. If `proof` is not empty and the optimizer is Certify, a proof is written to that file.
+Row measure_source(const std::string& source, const Optimizer& optimizer, const RunSettings& settings,
+                   const std::string& proof);
+
+/// Prints rows in the order of the sources, as they come, with progress on a terminal.
+class Printer {
+ public:
+  Printer(const std::vector<std::string>& sources, bool json);
+
+  void print(const Row& row);
+  std::size_t failed() const { return failed_; }
+
+ private:
+  bool json_;
+  Progress progress_;
+  Table table_;
+  std::size_t done_ = 0, failed_ = 0;
+};
+
+}  // namespace rectilin::app

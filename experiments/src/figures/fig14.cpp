@@ -1,0 +1,101 @@
+// Fig. 14: simplified meshes, down to 1 % of the faces.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "experiments.h"
+#include "rectilin/measure/edits.h"
+#include "specimen.h"
+
+namespace rectilin::figures {
+namespace {
+
+constexpr std::array kKept = {1.0, 0.5, 0.25, 0.1, 0.05, 0.025, 0.01};
+constexpr std::array kShown = {1.0, 0.1, 0.01};
+
+struct Simplification {
+  Up up = Up::kZ;
+
+  void bind(Parameters& parameters) { bind_up(parameters, up); }
+
+  ExperimentResult run(const ExperimentContext& context) const {
+    ExperimentResult result;
+    const std::vector<Model> models = load_models(context, kMadeAndScanned, result.errors);
+    std::vector<Specimen> specimens;
+    for (const Model& model : models)
+      for (const double part : kKept) {
+        const std::string what = ", " + number(100 * part) + " %";
+        specimens.push_back(
+            {model.title + what, model.source + what + " of the faces", [mesh = model.mesh, part] {
+               const double faces = part * static_cast<double>(mesh->triangles.size());
+               return simplified(*mesh, static_cast<std::size_t>(faces));
+             }});
+        if (std::ranges::count(kShown, part) > 0) specimens.back().pictured = up;
+      }
+    const std::vector<Measured> results = measure_all(specimens, context);
+
+    result.says = "R changes by at most " + change(models, results, 0.1) +
+                  " at 10 % of the faces and " + change(models, results, 0.01) +
+                  " at 1 % (paper: little effect)";
+    result.data = to_json(specimens, results);
+    result.plots = {curves(models, results)};
+    result.sheets = {sheet("fig14-meshes", "The meshes, simplified.", specimens, results, 3)};
+    for (std::string& error : errors(specimens, results)) result.errors.push_back(std::move(error));
+    return result;
+  }
+
+ private:
+  /// Largest over the meshes.
+  static std::string change(const std::vector<Model>& models, const std::vector<Measured>& results,
+                            double part) {
+    const auto at = std::ranges::find(kKept, part) - kKept.begin();
+    double largest = 0;
+    for (std::size_t m = 0; m < models.size(); ++m) {
+      const Measured* of_model = &results[m * kKept.size()];
+      if (of_model[at].error.empty())
+        largest =
+            std::max(largest, std::abs(of_model[at].rectilinearity - of_model[0].rectilinearity));
+    }
+    return four_digits(largest);
+  }
+
+  static Plot curves(const std::vector<Model>& models, const std::vector<Measured>& results) {
+    std::vector<std::string> columns = {"asked"};
+    for (const Model& model : models)
+      for (const char* what : {"faces", "left", "R"}) columns.push_back(model.title + " " + what);
+    Csv csv(columns);
+    for (std::size_t i = 0; i < kKept.size(); ++i) {
+      std::vector<Csv::Cell> row = {100 * kKept[i]};
+      for (std::size_t m = 0; m < models.size(); ++m) {
+        const Measured& r = results[m * kKept.size() + i];
+        const bool known = r.error.empty();
+        const auto all = static_cast<double>(models[m].mesh->triangles.size());
+        row.insert(row.end(), {r.faces, known ? 100 * static_cast<double>(r.faces) / all : NAN,
+                               known ? r.rectilinearity : NAN});
+      }
+      csv.row(row);
+    }
+    Panel panel{.title = "",
+                .x = {.label = "faces left, %", .logarithmic = true},
+                .y = {.label = "R"},
+                .bands = {},
+                .curves = {}};
+    for (int m = 0; m < static_cast<int>(models.size()); ++m)
+      panel.curves.push_back({.x = 3 + 3 * m,
+                              .y = 4 + 3 * m,
+                              .label = models[m].title,
+                              .style = {.colour = m},
+                              .points = true});
+    return {"fig14", "R of simplified meshes.", Figure("R of simplified meshes", csv, {panel})};
+  }
+};
+
+}  // namespace
+
+Experiment fig14() {
+  return make_experiment<Simplification>("fig14",
+                                         "Quadric simplification, down to 1 % of the faces",
+                                         "meshes (default: a torus and a rough blob)", "");
+}
+
+}  // namespace rectilin::figures
