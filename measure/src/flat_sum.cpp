@@ -33,8 +33,8 @@ struct FlatFaces {
 namespace {
 
 // Directions of one task when threads share the directions: a multiple of every kernel's group
-// size.
-constexpr std::size_t kTaskDirections = 32;
+// size. 32 would split a population of fifty rotations unevenly between two threads.
+constexpr std::size_t kTaskDirections = 24;
 
 // Below this many (face, direction) pairs, some 50 microseconds, tasks cost more than they save.
 constexpr std::size_t kSerialPairs = std::size_t{1} << 21;
