@@ -137,8 +137,9 @@ void BranchAndBound::improve_incumbent(std::span<const Rotation> rotations, std:
 void BranchAndBound::update_cutoff() {
   if (!evaluator_.has_incumbent()) return;
   // From the incumbent's value as it may be without rounding: the interval is narrow enough when stated outwards.
-  const double value = evaluator_.incumbent().value + 3 * facts_.error;
-  cutoff_ = cutoff_value(evaluator_.objective(), value, options_.gap);
+  // But no bound computed at the incumbent itself is higher than its value less rounding: to ask for more would never end.
+  const double value = evaluator_.incumbent().value;
+  cutoff_ = std::min(cutoff_value(evaluator_.objective(), value + 3 * facts_.error, options_.gap), value - 3 * allowance_);
   enough_ = cutoff_ + allowance_;
   balls_are_current_ = false;
 }

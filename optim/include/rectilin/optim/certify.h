@@ -13,7 +13,7 @@ namespace rectilin {
 /// upper envelope (Kelley 1960), and where the box is too large it is halved. Whatever ends the run, the evaluator's lower
 /// bound is a proved one.
 struct CertifyOptions {
-  double gap = 1e-6;       ///< stop when merit(lower bound) - merit(incumbent) is this small
+  double gap = 1e-6;       ///< stop when merit(lower bound) - merit(incumbent) is this small, or as small as rounding allows
   int cells = 20'000'000;  ///< stop after so many boxes; 0: no limit
   double seconds = 0;      ///< stop after so much time; 0: no limit
   int batch = 32;          ///< boxes a round at least, sixteen times as many at most; the result depends on it, but not on the number of threads
@@ -57,7 +57,7 @@ struct CertifyResult {
 
   Incumbent incumbent;
   double lower = 0;               ///< no rotation has a smaller value
-  bool closed = false;            ///< the gap asked for was reached
+  bool closed = false;            ///< the gap asked for was reached, or the narrowest that rounding allows
   std::uint64_t cells = 0;        ///< boxes bounded
   std::uint64_t leaves = 0;       ///< boxes that needed no halving
   std::size_t largest_heap = 0;   ///< boxes open at once, at most
