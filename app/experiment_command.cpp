@@ -28,18 +28,17 @@ struct ExperimentOptions {
 constexpr const char* kAll = "all";
 
 void list() {
-  std::cout << "The experiments; rectilin experiment NAME runs one, rectilin experiment all runs "
-               "all of them.\n\n";
+  std::cout << "rectilin experiment NAME runs one of these, rectilin experiment all runs all.\n\n";
   for (const Experiment& experiment : experiments()) {
     std::cout << experiment.name << "\n    " << experiment.title;
     if (!experiment.takes.empty()) std::cout << "; takes " << experiment.takes;
-    std::cout << '\n';
-    std::cout << settings_table(experiment.parameters);
+    std::cout << '\n' << settings_table(experiment.parameters);
   }
-  std::cout << "\nSettings go behind the name: rectilin experiment 'fig15?steps=1000'. Pictures, "
-               "data and index.html,\n"
-               "which shows all experiments made so far, go to the folder 'experiments' or what "
-               "--out says.\n";
+  std::cout
+      << "\nSettings go behind the name: rectilin experiment 'fig15?steps=1000'\n"
+         "Meshes come next, if it takes any: rectilin experiment fig13 teapot.obj dragon.obj\n"
+         "Pictures, data and index.html, which shows all experiments made so far, go to the\n"
+         "folder 'experiments' or what --out says.\n";
 }
 
 class Runner {
@@ -115,8 +114,7 @@ void add_experiment_command(CLI::App& app, int& status, int argc, const char* co
                       "them with their settings");
   command->add_option("mesh", options->meshes,
                       "Mesh files, folders of them, built-in shapes (shape:NAME?key=value), for "
-                      "experiments that take "
-                      "meshes; without, they make their own");
+                      "experiments that take meshes; without, they make their own");
   command->add_option("-O,--out", options->out, "Folder for everything")->capture_default_str();
   command->add_option("-s,--seed", options->seed, "Seed of everything random")
       ->capture_default_str();
@@ -129,10 +127,11 @@ void add_experiment_command(CLI::App& app, int& status, int argc, const char* co
                    "Threads (default: all); the answer is the same for any")
       ->check(CLI::PositiveNumber);
   command->footer(
-      "Every R is certified. OUT/NAME.json holds all numbers, and each picture has its CSV and "
-      "gnuplot files beside\n"
-      "it. OUT/index.html shows all experiments in the folder. One line says how the outcome "
-      "compares with the paper.\n"
+      "Every R is certified. OUT/NAME.json holds all numbers; each picture has a CSV file beside "
+      "it,\n"
+      "and a gnuplot file if it is a curve. OUT/index.html shows all experiments in the folder. "
+      "One\n"
+      "line says how the outcome compares with the paper.\n"
       "Examples: rectilin experiment\n"
       "          rectilin experiment all\n"
       "          rectilin experiment 'fig15?steps=1000' --out pyramids");

@@ -12,6 +12,16 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRounding = 1e-12;  // a few operations on numbers near 1
 
+TEST_CASE("a power law's exponent is found whatever its factor") {
+  const std::vector<double> x = {1, 10, 50, 2000};
+  std::vector<double> y;
+  for (const double size : x) y.push_back(7 * std::pow(size, -1.5));
+  CHECK(power_law_exponent(x, y) == Approx(-1.5).margin(1e-12));
+  const std::vector<double> one = {3}, two = {3, 3};
+  CHECK(std::isnan(power_law_exponent(one, one)));
+  CHECK(std::isnan(power_law_exponent(two, std::vector<double>{1, 2})));
+}
+
 TEST_CASE("quantiles interpolate between order statistics") {
   CHECK(median({5, 1, 3, 2, 4}) == 3);
   CHECK(median({4, 1, 3, 2}) == Approx(2.5).margin(kRounding));

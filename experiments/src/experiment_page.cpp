@@ -24,6 +24,14 @@ std::string picture(const Json& about, const fs::path& folder) {
   return html::picture(name + ".svg", caption, files, about.at("width"));
 }
 
+/// All that it takes to repeat an experiment.
+Json record(const Json& experiment) {
+  Json all;
+  for (const char* key : {"settings", "meshes", "seed", "gap"}) all[key] = experiment.at(key);
+  all.update(experiment.at("provenance"));
+  return all;
+}
+
 std::string section(const Json& experiment, const fs::path& folder) {
   const std::string name = experiment.at("experiment"), title = experiment.at("title");
   std::string pictures;
@@ -34,9 +42,24 @@ std::string section(const Json& experiment, const fs::path& folder) {
   for (const Json& error : experiment.at("errors"))
     text += paragraph(escape(error.get<std::string>()));
   return text +
-         html::details("Command, machine, versions",
-                       "<pre>" + escape(experiment.at("provenance").dump(2)) + "</pre>\n" +
+         html::details("Settings, command, machine, versions",
+                       "<pre>" + escape(record(experiment).dump(2)) + "</pre>\n" +
                            paragraph("All numbers: " + link(name + ".json", name + ".json")));
+}
+
+std::string introduction() {
+  return paragraph(
+      "What the figures of the paper (Lian, Rosin and Sun, IJCV 2010) show, measured again. Below "
+      "each title stands what came out, beside what the paper reports. R of a mesh is proved: no "
+      "rotation has one that is larger by more than the gap on record. A picture opens on its own "
+      "when clicked.");
+}
+
+/// What an experiment left in the folder; nothing if it is not there.
+Json stored(const std::string& name, const fs::path& folder) {
+  std::ifstream in(folder / (name + ".json"));
+  Json all = Json::parse(in, nullptr, false);
+  return all.is_object() && all.value("experiment", "") == name ? all : Json();
 }
 
 }  // namespace
@@ -44,15 +67,15 @@ std::string section(const Json& experiment, const fs::path& folder) {
 void write_experiment_page(const fs::path& folder) {
   std::string contents, sections;
   for (const Experiment& experiment : experiments()) {
-    std::ifstream in(folder / (experiment.name + ".json"));
-    if (!in) continue;
-    const Json stored = Json::parse(in);
+    const Json found = stored(experiment.name, folder);
+    if (found.is_null()) continue;
     contents += "<li>" + link("#" + experiment.name, experiment.name) + ": " +
                 escape(experiment.title) + "</li>\n";
-    sections += section(stored, folder);
+    sections += section(found, folder);
   }
-  write_text(folder / "index.html", html::page("Rectilinearity: the experiments",
-                                               "<ul>\n" + contents + "</ul>\n" + sections));
+  write_text(folder / "index.html",
+             html::page("Rectilinearity: the experiments",
+                        introduction() + "<ul>\n" + contents + "</ul>\n" + sections));
 }
 
 }  // namespace rectilin

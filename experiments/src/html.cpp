@@ -39,6 +39,7 @@ pre { overflow-x: auto; background: #f5f5f5; padding: .75rem; font-size: .8rem; 
   body { max-width: none; font-size: 10pt; padding: 0; }
   h2, h3, summary { break-after: avoid; }
   figure, tr { break-inside: avoid; }
+  h2, h3, h2 + p { break-after: avoid; }
   .scroll, figure.wide { overflow: visible; }
   figure.wide img { min-width: 0 !important; max-width: 15cm !important; }
   .pair { grid-template-columns: 1fr 1fr; }

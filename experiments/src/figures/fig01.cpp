@@ -6,12 +6,18 @@ namespace rectilin::figures {
 namespace {
 
 struct Introduction {
-  void bind(Parameters&) {}
+  int subdivisions = 5;
+
+  void bind(Parameters& parameters) {
+    parameters.integer("subdivisions", subdivisions, 0, 8,
+                       "of the octahedron that the sphere is made of");
+  }
 
   ExperimentResult run(const ExperimentContext& context) const {
     std::vector<Specimen> specimens = {
-        specimen("sphere", "shape:sphere"), specimen("cylinder", "shape:cylinder"),
-        specimen("rectilinear object", "shape:stairs"), specimen("cube", "shape:box")};
+        specimen("sphere", "shape:sphere?subdivisions=" + std::to_string(subdivisions)),
+        specimen("cylinder", "shape:cylinder"), specimen("rectilinear object", "shape:stairs"),
+        specimen("cube", "shape:box")};
     for (Specimen& s : specimens) s.pictured = Up::kZ;
     const std::vector<Measured> results = measure_all(specimens, context);
     ExperimentResult result;
@@ -31,7 +37,7 @@ struct Introduction {
 
 Experiment fig1() {
   return make_experiment<Introduction>("fig1", "Sphere, cylinder, rectilinear object and cube", "",
-                                       "");
+                                       "subdivisions=2");
 }
 
 }  // namespace rectilin::figures

@@ -16,9 +16,8 @@ namespace rectilin::figures {
 
 /// A mesh that is made when it is needed: an experiment may have more of them than fit into memory.
 struct Specimen {
-  std::string label;  ///< short, for people
-  std::string
-      origin;  ///< how to get it: a source for load_mesh(), perhaps with what was done to it
+  std::string label;                ///< short, for people
+  std::string origin;               ///< a source for load_mesh(), perhaps with what was done to it
   std::function<Mesh()> make;       ///< thread safe; the same mesh every time
   std::optional<Up> pictured = {};  ///< to be shown, this way up
 };
@@ -43,9 +42,11 @@ struct Model {
   std::shared_ptr<const Mesh> mesh;
 };
 
-/// The context's meshes or, if it has none, the defaults (title, source). Meshes that cannot be
-/// read are left out, with a line in `errors`; throws MeshError if there is none left.
+/// Titles and sources of meshes.
 using Defaults = std::vector<std::pair<std::string, std::string>>;
+
+/// The context's meshes or, if it has none, the defaults. Meshes that cannot be read are left out,
+/// with a line in `errors`; throws MeshError if there is none left.
 std::vector<Model> load_models(const ExperimentContext& context, const Defaults& defaults,
                                std::vector<std::string>& errors);
 
@@ -62,8 +63,7 @@ struct Measured {
   std::string picture;  ///< a PNG file if it was to be shown
 };
 
-/// R of each, certified, several at a time; the same for any number of threads. Throws
-/// Stopped.
+/// R of each, certified, several at a time; the same for any number of threads. Throws Stopped.
 std::vector<Measured> measure_all(const std::vector<Specimen>& specimens,
                                   const ExperimentContext& context);
 

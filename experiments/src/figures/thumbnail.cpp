@@ -59,11 +59,13 @@ class Raster {
 
   /// Vertices in samples, centred and as large as fits. y goes down.
   static std::vector<Vector3> placed(const Mesh& mesh, const Eigen::Matrix3d& view) {
+    double size = 1e-300;  // coordinates may be too large to be added up
+    for (const Vector3& p : mesh.vertices) size = std::max(size, p.lpNorm<Eigen::Infinity>());
     std::vector<Vector3> points(mesh.vertices.size(), Vector3::Zero());
-    Vector3 lower = Vector3::Constant(std::numeric_limits<double>::infinity()), upper = -lower;
+    Vector3 lower = Vector3::Constant(2), upper = -lower;
     for (const Triangle& t : mesh.triangles)
       for (const auto i : t) {
-        points[i] = view * mesh.vertices[i];
+        points[i] = view * (mesh.vertices[i] / size);
         lower = lower.cwiseMin(points[i]);
         upper = upper.cwiseMax(points[i]);
       }

@@ -16,10 +16,10 @@ namespace rectilin {
 
 /// What an experiment is run with besides its own settings.
 struct ExperimentContext {
-  std::vector<std::string> meshes =
-      {};                  ///< sources, see load_mesh(); if there are none it makes its own
-  std::uint64_t seed = 1;                ///< of everything random
-  double gap = 1e-6;                     ///< width to which R is certified
+  /// Sources, see load_mesh(); if there are none it makes its own.
+  std::vector<std::string> meshes = {};
+  std::uint64_t seed = 1;  ///< of everything random
+  double gap = 1e-6;       ///< width to which R is certified
   std::stop_token stop = {};
   /// Called from any thread, one at a time, with what is done of how much, and what goes on.
   std::function<void(std::size_t done, std::size_t total, const std::string& text)> on_progress =
@@ -47,8 +47,7 @@ struct ExperimentResult {
 struct Experiment {
   std::string name;   ///< what it is called by, such as fig15
   std::string title;  ///< one line
-  std::string
-      takes;  ///< the meshes it can be given, in a few words; empty if it makes its own only
+  std::string takes;  ///< meshes it can be given, in a few words; empty if it makes its own only
   std::vector<Parameters::Description> parameters;  ///< with defaults
   Json quick;                                       ///< settings with which it takes about a second
   /// Throws ParameterError for settings it does not accept, Stopped if the context's token stops
@@ -69,9 +68,9 @@ const std::vector<Experiment>& experiments();
 const Experiment& find_experiment(const std::string& name);
 
 /// Runs an experiment and writes into `folder`, which is made if need be: NAME.json (settings,
-/// seed, meshes, provenance, `says` and all data) and for each picture its CSV, gnuplot and SVG
-/// files. `troubles` of the result are lines about meshes or pictures: those that failed are
-/// missing, and the rest is written all the same. Throws what Experiment::run() throws (then
+/// seed, meshes, provenance, `says` and all data) and for each picture its CSV, gnuplot (of curves)
+/// and SVG files. `troubles` of the result are lines about meshes or pictures: those that failed
+/// are missing, and the rest is written all the same. Throws what Experiment::run() throws (then
 /// nothing is written), ParameterError for meshes given to an experiment that takes none, and
 /// std::runtime_error if the folder cannot be written.
 struct ExperimentOutcome {
