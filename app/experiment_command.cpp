@@ -48,7 +48,7 @@ class Runner {
       : options_(options), command_line_(std::move(command_line)) {
     context_.meshes = expand_folders(options.meshes);
     context_.seed = options.seed;
-    if (options.quick) context_.gap = 1e-4;
+    if (options.quick) context_.gap = 1e-3;
     if (options.gap) context_.gap = *options.gap;
     context_.stop = stop_on_interrupt();
   }
@@ -123,7 +123,7 @@ void add_experiment_command(CLI::App& app, int& status, int argc, const char* co
   command->add_option("-g,--gap", options->gap, "Width to which R is certified (default: 1e-6)")
       ->check(CLI::NonNegativeNumber);
   command->add_flag("-q,--quick", options->quick,
-                    "Small: about a second for each experiment, and a gap of 1e-4");
+                    "Small: about a second for each experiment, and a gap of 1e-3");
   command
       ->add_option("-t,--threads", options->threads,
                    "Threads (default: all); the answer is the same for any")

@@ -24,7 +24,7 @@ struct MeasureOptions {
   std::string proof;
   std::string domain = "covering";
   std::uint64_t seed = 1;
-  std::uint64_t evaluations = Budget().evaluations;
+  Budget budget = {};
   int threads = 0;
   bool json = false;
 };
@@ -52,7 +52,7 @@ std::unique_ptr<Optimizer> make_optimizer(const MeasureOptions& options) {
 int measure(const MeasureOptions& options) {
   const auto optimizer = make_optimizer(options);
   RunSettings settings;
-  settings.budget.evaluations = options.evaluations;
+  settings.budget = options.budget;
   settings.seed = options.seed;
   settings.chart = &chart_by_name(options.domain);
   settings.stop = stop_on_interrupt();
@@ -117,7 +117,9 @@ void add_measure_command(CLI::App& app, int& status) {
       ->check(CLI::IsMember({"paper", "covering", "zone"}))
       ->capture_default_str();
   command->add_option("-s,--seed", options->seed, "Seed of the random numbers")->capture_default_str();
-  command->add_option("-b,--budget", options->evaluations, "Evaluations at most, per mesh (default: no limit)");
+  command->add_option("-b,--budget", options->budget.evaluations, "Evaluations at most, per mesh (default: no limit)");
+  command->add_option("--seconds", options->budget.seconds, "Seconds at most, per mesh (default: no limit)")
+      ->check(CLI::PositiveNumber);
   command->add_option("-t,--threads", options->threads, "Threads (default: all); the answer is the same for any")
       ->check(CLI::PositiveNumber);
   command->add_flag("-j,--json", options->json, "One JSON object a line instead of the table");

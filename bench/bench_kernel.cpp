@@ -38,27 +38,43 @@ struct FlatCase {
   int threads;
 };
 
+/// A batch, and the same pairs' arithmetic alone, in turns.
 void flat(benchmark::State& state, const FlatCase& which) {
   const auto limit = threads(which.threads);
   const AreaVectors& vectors = smooth_vectors(which.faces);
   const ScopedFlatSumTarget target(which.target);
   const FlatSum sum(vectors, which.precision);
+  const RegisterLoop arithmetic = register_loop(which.target, which.precision);
+  const bool compared = arithmetic && which.threads == 1 && which.directions >= 24;
   Directions directions(random_directions(4 * which.directions), which.directions);
   std::vector<double> h(which.directions);
+  const auto clock = which.threads == 1 ? thread_seconds : wall_seconds;
+  Stopwatch summing(clock), computing(clock);
+  constexpr std::size_t kRounds = 4096;
+  double computed = 0;
   for (auto _ : state) {
-    sum.values(directions.next(), h);
-    benchmark::DoNotOptimize(h.data());
+    state.SetIterationTime(summing.time([&] {
+      sum.values(directions.next(), h);
+      benchmark::DoNotOptimize(h.data());
+    }));
+    if (compared) computing.time([&] { computed = arithmetic(kRounds); });
   }
-  const auto calls = static_cast<double>(state.iterations());
   const auto faces = static_cast<double>(vectors.size());
-  const double pairs = calls * faces * static_cast<double>(which.directions);
-  state.counters["pairs/s"] = rate(pairs);
-  state.counters["face_rotations/s"] = rate(pairs / 3);
-  state.counters["bytes/s"] = rate(calls * faces * face_bytes(which.precision));
-  if (const double peak = which.threads * peak_pairs(which.target, which.precision); peak > 0)
-    state.counters["compute_fraction"] = rate(pairs / peak);
-  state.counters["directions"] = static_cast<double>(which.directions);
+  const double pairs = faces * static_cast<double>(which.directions);
+  state.counters["pairs/s"] = pairs / summing.median();
+  state.counters["face_rotations/s"] = pairs / 3 / summing.median();
+  state.counters["bytes/s"] = faces * face_bytes(which.precision) / summing.median();
+  if (compared) state.counters["compute_fraction"] = pairs / computed / summing.over(computing);
   state.SetComplexityN(static_cast<std::int64_t>(vectors.size()));
+}
+
+/// Reads the first `size` of each component, a part by each thread.
+void read_parts(const AreaVectors& vectors, std::size_t size, std::size_t parts) {
+  tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t i) {
+    const std::size_t begin = i * size / parts, end = (i + 1) * size / parts;
+    benchmark::DoNotOptimize(read_arrays(vectors.x.data() + begin, vectors.y.data() + begin,
+                                         vectors.z.data() + begin, end - begin));
+  });
 }
 
 /// One rotation, and the bare reading of its vectors, in turns: whatever else the machine does
@@ -73,17 +89,9 @@ void bandwidth(benchmark::State& state, std::size_t faces, Precision precision, 
   std::array<double, 3> h;
   const auto clock = thread_count == 1 ? thread_seconds : wall_seconds;
   Stopwatch reading(clock), summing(clock);
-  const auto read = [&](std::size_t begin, std::size_t end) {
-    benchmark::DoNotOptimize(read_arrays(vectors.x.data() + begin, vectors.y.data() + begin,
-                                         vectors.z.data() + begin, end - begin));
-  };
+  const auto parts = static_cast<std::size_t>(thread_count);
   for (auto _ : state) {
-    reading.time([&] {
-      const auto parts = static_cast<std::size_t>(thread_count);
-      tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t i) {
-        read(i * doubles / parts, (i + 1) * doubles / parts);
-      });
-    });
+    reading.time([&] { read_parts(vectors, doubles, parts); });
     state.SetIterationTime(summing.time([&] {
       sum.values(directions.next(), h);
       benchmark::DoNotOptimize(h.data());
@@ -92,22 +100,38 @@ void bandwidth(benchmark::State& state, std::size_t faces, Precision precision, 
   const double bytes = face_bytes(precision) * static_cast<double>(vectors.size());
   state.counters["bytes/s"] = bytes / summing.median();
   state.counters["peak_bytes/s"] = bytes / reading.median();
-  state.counters["bandwidth_fraction"] = reading.median() / summing.median();
+  state.counters["bandwidth_fraction"] = reading.over(summing);
 }
 
-/// One population by one thread and by two, in turns. Others may hold a core at any moment, so the
+/// `work(threads)` by one thread and by two, in turns. Others may hold a core at any moment, so the
 /// quickest of each counts.
-void speedup(benchmark::State& state, std::size_t faces, std::size_t count) {
-  const AreaVectors& vectors = smooth_vectors(faces);
-  const FlatSum sum(vectors);
-  Directions directions(random_directions(4 * count), count);
-  std::vector<double> h(count);
+template <class Work>
+void speedup(benchmark::State& state, const Work& work) {
+  std::array<tbb::task_arena, 2> arenas = {tbb::task_arena(1), tbb::task_arena(2)};
   std::array<Stopwatch, 2> watches = {Stopwatch(wall_seconds), Stopwatch(wall_seconds)};
   for (auto _ : state)
-    for (const int arena_size : {1, 2})
-      watches[arena_size - 1].time(
-          [&] { tbb::task_arena(arena_size).execute([&] { sum.values(directions.next(), h); }); });
+    for (const std::size_t i : {0, 1})
+      watches[i].time([&] { arenas[i].execute([&] { work(i + 1); }); });
   state.counters["speedup"] = watches[0].least() / watches[1].least();
+}
+
+void flat_speedup(benchmark::State& state, std::size_t faces, std::size_t count) {
+  const FlatSum sum(smooth_vectors(faces));
+  Directions directions(random_directions(4 * count), count);
+  std::vector<double> h(count);
+  speedup(state, [&](std::size_t) { sum.values(directions.next(), h); });
+}
+
+/// What two threads can gain at most where arithmetic counts, and where memory does.
+void register_speedup(benchmark::State& state, RegisterLoop loop) {
+  constexpr std::size_t kParts = 64, kRounds = 4096;
+  speedup(state, [&](std::size_t) {
+    tbb::parallel_for(std::size_t{0}, kParts, [&](std::size_t) { loop(kRounds); });
+  });
+}
+void reading_speedup(benchmark::State& state, std::size_t faces) {
+  const AreaVectors& vectors = smooth_vectors(faces);
+  speedup(state, [&](std::size_t parts) { read_parts(vectors, vectors.size(), parts); });
 }
 
 void registers(benchmark::State& state, RegisterLoop loop) {
@@ -116,12 +140,11 @@ void registers(benchmark::State& state, RegisterLoop loop) {
   state.counters["pairs/s"] = rate(pairs);
 }
 
-void add_flat(const FlatCase& which, const std::string& kind = "flat") {
-  const std::string path = kind + "/" + which.target + "/" + name(which.precision) +
+void add_flat(const FlatCase& which) {
+  const std::string path = "flat/" + which.target + "/" + name(which.precision) +
                            pair("directions", which.directions) + pair("faces", which.faces) +
                            pair("threads", static_cast<std::size_t>(which.threads));
-  auto* added = benchmark::RegisterBenchmark(path.c_str(), flat, which);
-  if (which.threads > 1) added->UseRealTime();
+  benchmark::RegisterBenchmark(path.c_str(), flat, which)->UseManualTime();
 }
 
 }  // namespace
@@ -152,15 +175,22 @@ void register_kernel_benchmarks() {
             ->UseManualTime();
   }
 
-  for (const std::size_t faces : {1'000'000u, 10'000'000u})
-    for (const std::size_t directions : {3u, 150u})
-      benchmark::RegisterBenchmark(
-          ("speedup" + pair("directions", directions) + pair("faces", faces)).c_str(), speedup,
-          faces, directions)
-          ->UseRealTime();
+  const std::string best = targets.front();
+  if (const RegisterLoop loop = register_loop(best, Precision::kDouble))
+    benchmark::RegisterBenchmark("speedup/registers", register_speedup, loop)->UseRealTime();
+  benchmark::RegisterBenchmark("speedup/reading/faces:10000000", reading_speedup, 10'000'000)
+      ->UseRealTime();
+  for (const auto& [faces, directions] : {std::pair{10'000u, 1500u},
+                                          {100'000u, 150u},
+                                          {1'000'000u, 150u},
+                                          {10'000'000u, 150u},
+                                          {10'000'000u, 3u}})
+    benchmark::RegisterBenchmark(
+        ("speedup" + pair("directions", directions) + pair("faces", faces)).c_str(), flat_speedup,
+        faces, directions)
+        ->UseRealTime();
 
   // The claim that the flat sum's time grows like N, at one number of directions.
-  const std::string best = targets.front();
   benchmark::RegisterBenchmark(
       "complexity/flat",
       [best](benchmark::State& state) {
@@ -168,6 +198,7 @@ void register_kernel_benchmarks() {
       })
       ->RangeMultiplier(10)
       ->Range(1000, 10'000'000)
+      ->UseManualTime()
       ->Complexity(benchmark::oN);
 }
 

@@ -44,6 +44,22 @@ void chain(benchmark::State& state, std::size_t faces, int thread_count) {
   state.counters["tree_over_flat"] = building.median() / summing.median();
 }
 
+/// The largest relative error of the first sums, against long double.
+double largest_error(const AreaVectors& vectors, std::span<const Vector3> u,
+                     std::span<const double> h) {
+  constexpr std::size_t kChecked = 3;
+  double largest = 0;
+  for (std::size_t k = 0; k < std::min(kChecked, u.size()); ++k) {
+    long double sum = 0;
+    for (std::size_t i = 0; i < vectors.size(); ++i)
+      sum += std::abs(static_cast<long double>(u[k].x()) * vectors.x[i] +
+                      static_cast<long double>(u[k].y()) * vectors.y[i] +
+                      static_cast<long double>(u[k].z()) * vectors.z[i]);
+    largest = std::max(largest, static_cast<double>(std::abs(h[k] - sum) / sum));
+  }
+  return largest;
+}
+
 enum class Query { kValues, kCuts };
 
 /// Batches of directions through the tree, and some of them through the flat sum in between: a
@@ -71,6 +87,11 @@ void query(benchmark::State& state, const AreaVectors& vectors, const std::vecto
   state.counters["seconds_per_direction"] = walking.median() / asked;
   state.counters["flat_seconds_per_direction"] = summing.median() / asked;
   state.counters["over_flat"] = summing.median() / walking.median();
+  if (what == Query::kValues && coarse == 0) {
+    const auto u = directions.next();
+    tree.values(u, h);
+    state.counters["error"] = largest_error(vectors, u, h);
+  }
   state.SetComplexityN(static_cast<std::int64_t>(vectors.size()));
 }
 

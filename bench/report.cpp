@@ -1,5 +1,6 @@
-// Turns results of the benchmarks into summary.json, table.md, time.svg and roofline.svg.
-// Usage: bench_report RESULTS.json FOLDER [EARLIER.json]    with earlier results also compare.md
+// Turns results of the benchmarks into summary.json, targets.md, table.md, time.svg and
+// roofline.svg. Usage: bench_report RESULTS.json FOLDER [EARLIER.json]    with earlier results also
+// compare.md
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -10,12 +11,6 @@
 
 namespace rectilin::bench {
 namespace {
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
 
 std::string duration(double seconds) {
   const double size = std::abs(seconds);
@@ -37,7 +32,6 @@ std::string table(const Results& results) {
     text += "| `" + result.name + "` | " + duration(result.seconds) + " | ";
     const char* separator = "";
     for (const auto& [name, value] : result.counters) {
-      if (name == "directions") continue;  // in the benchmark's name already
       text += separator + counter(name, value);
       separator = ", ";
     }
@@ -63,7 +57,9 @@ void report(const std::filesystem::path& file, const std::filesystem::path& fold
   const std::string ratios = summary(results).dump(2) + "\n";
   write_text(folder / "summary.json", ratios);
   write_text(folder / "table.md", table(results));
-  std::cout << ratios;
+  const std::string aims = targets(summary(results));
+  write_text(folder / "targets.md", aims);
+  std::cout << ratios << aims;
   if (earlier != nullptr) {
     const std::string text = comparison(results, Results(earlier));
     write_text(folder / "compare.md", text);

@@ -131,6 +131,8 @@ nlohmann::ordered_json summary(const Results& results) {
                   [](const Point& p) { return p.size < 10'000; });  // below, the flat sum is faster
     if (times.size() > 1) out["tree_exponent"][query] = exponent(times);
   }
+  for (const Point& p : results.series("query/values/", "", "error"))
+    out["tree_error"][std::to_string(static_cast<long>(p.size))] = p.time;
   for (const Point& p : results.series("worst/", "", "over_flat"))
     out["worst_case_speedup"][std::to_string(static_cast<long>(p.size))] = p.time;
   const auto flat = results.series("flat/" + best + "/double/directions:150/", "/threads:1");

@@ -46,6 +46,12 @@ class Results {
 /// not run.
 nlohmann::ordered_json summary(const Results& results);
 
+/// A table of those ratios that have a target: the ratio, the target, whether it is met.
+std::string targets(const nlohmann::ordered_json& summary);
+
+/// Three significant digits.
+std::string number(double value);
+
 /// Draws time.svg and roofline.svg, with the data beside them.
 void draw_time(const Results& results, const std::filesystem::path& folder);
 void draw_roofline(const Results& results, const std::filesystem::path& folder);

@@ -37,14 +37,25 @@ class Stopwatch {
     return times_.back();
   }
 
-  double median() {
-    const auto middle = times_.begin() + static_cast<std::ptrdiff_t>(times_.size() / 2);
-    std::nth_element(times_.begin(), middle, times_.end());
-    return *middle;
+  double median() const { return median_of(times_); }
+
+  /// Of this watch's calls over the other's, turn by turn: what slows the machine for a while
+  /// strikes both.
+  double over(const Stopwatch& other) const {
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < times_.size(); ++i) ratios.push_back(times_[i] / other.times_[i]);
+    return median_of(std::move(ratios));
   }
+
   double least() const { return *std::min_element(times_.begin(), times_.end()); }
 
  private:
+  static double median_of(std::vector<double> numbers) {
+    const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
+    std::nth_element(numbers.begin(), middle, numbers.end());
+    return *middle;
+  }
+
   Clock clock_;
   std::vector<double> times_;
 };

@@ -20,6 +20,9 @@ expect 1 "no optimizer 'gaa'" "$rectilin" measure -o gaa shape:box
 expect 1 "no parameter 'size'" "$rectilin" measure 'shape:box?size=1'
 expect 1 'missing.off: ' "$rectilin" measure missing.off
 
+expect 0 '"outcome":"budget"' "$rectilin" measure --json -o random --seconds 0.05 shape:box
+expect 2 'seconds' "$rectilin" measure --seconds -1 shape:box
+
 # A bad file costs its own row.
 "$rectilin" convert shape:pyramid good.off || fail 'the command itself'
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n' >bad.off

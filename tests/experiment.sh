@@ -1,25 +1,11 @@
 #!/usr/bin/env bash
 # rectilin experiment from outside: the list, all of them small, with meshes, without gnuplot, interrupted.
 # Usage: experiment.sh RECTILIN
-set -uo pipefail
-rectilin=$1
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
+. "$(dirname "$0")/expect.sh"
 
-fail() { echo "FAILED: $*"; cat out err 2>/dev/null; failures=$((failures + 1)); }
-
-# expect STATUS PATTERN COMMAND...: the status, and a pattern somewhere in standard output or error.
-expect() {
-  local status=$1 pattern=$2 got; shift 2
-  "$@" >out 2>err </dev/null; got=$?
-  [ $got -eq "$status" ] && grep -qE -- "$pattern" out err ||
-    fail "$* (status $got, expected $status and /$pattern/)"
-}
-
+names="fig1 fig5 fig6 fig7 fig8 fig9 fig10 fig11 fig12 fig13 fig14 fig15 gap shortfall"
 expect 0 'rectilin experiment NAME' "$rectilin" experiment
-for name in fig1 fig5 fig6 fig7 fig8 fig9 fig10 fig11 fig12 fig13 fig14 fig15; do
+for name in $names; do
   grep -qx "$name" out || fail "$name is listed"
 done
 expect 0 'fig15\?steps' "$rectilin" experiment --help
@@ -30,8 +16,8 @@ expect 1 'one experiment at a time' "$rectilin" experiment all shape:box
 
 # All, small: a line each, files for every picture, a page that shows them and needs nothing else.
 expect 0 'small/index.html' "$rectilin" experiment all --quick --out small
-[ "$(grep -cE '^fig[0-9]+: ' out)" -eq 12 ] || fail "a line for each experiment"
-for name in fig1 fig5 fig6 fig7 fig8 fig9 fig10 fig11 fig12 fig13 fig14 fig15; do
+[ "$(grep -cE '^[a-z]+[0-9]*: ' out)" -eq "$(wc -w <<<"$names")" ] || fail "a line for each experiment"
+for name in $names; do
   grep -q '"says": ".' "small/$name.json" || fail "$name says something"
   grep -q "id=\"$name\"" small/index.html || fail "the page has $name"
 done
@@ -70,5 +56,4 @@ wait $pid
 [ $? -eq 1 ] && [ "$(wc -l <err)" -eq 1 ] && grep -q 'stopped' err || fail "interrupted"
 [ ! -e long ] || fail "nothing is left of what was stopped"
 
-[ $failures -eq 0 ] && echo "experiment: all as expected"
-exit $((failures > 0))
+finish experiment

@@ -99,7 +99,9 @@ TEST_CASE("Ellipsoids rise from the sphere towards the needle's R (Fig. 10)", "[
   const std::vector<double> r = values(run("fig10?steps=4&faces=1000&longest=40"));
   CHECK(std::ranges::is_sorted(r));
   CHECK(r.front() < 0.01);
-  CHECK(r.back() == Approx(3 * std::numbers::pi / 4 - 2).margin(0.02));  // 1,000 faces on a body 40 times as long
+  const double needle = 3 * std::numbers::pi / 4 - 2;
+  CHECK(r.back() < needle);
+  CHECK(r.back() > needle - 1.5 / 40);  // what the two ends take shrinks like one over the length
 }
 
 TEST_CASE("A ranking is one, and says which meshes it could not read (Fig. 11)", "[experiments]") {

@@ -1,40 +1,16 @@
 // The flat sum against exact arithmetic's stand-in, long double, and against what h must be as a
 // function.
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
 #include <random>
 
 #include "catch.h"
 #include "rectilin/measure/flat_sum.h"
+#include "sum_fixtures.h"
 
 using namespace rectilin;
 
 namespace {
-
-using Directions = std::vector<Vector3>;
-
-AreaVectors make_vectors(const Directions& vectors) {
-  AreaVectors result;
-  for (const Vector3& v : vectors) {
-    result.x.push_back(v.x());
-    result.y.push_back(v.y());
-    result.z.push_back(v.z());
-    result.total += v.stableNorm();
-  }
-  result.faces = vectors.size();
-  return result;
-}
-
-Directions gaussian(std::size_t size, unsigned seed) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
-  Directions result(size);
-  for (Vector3& v : result) v = Vector3(normal(random), normal(random), normal(random));
-  return result;
-}
 
 /// Lengths from 1e-40 to 1.
 Directions spread(std::size_t size, unsigned seed) {
@@ -43,16 +19,6 @@ Directions spread(std::size_t size, unsigned seed) {
   Directions result = gaussian(size, seed + 1);
   for (Vector3& v : result) v *= std::pow(10.0, exponent(random)) / v.norm();
   return result;
-}
-
-double exact_value(const Directions& vectors, const Vector3& u) {
-  long double sum = 0;
-  for (const Vector3& v : vectors) {
-    sum +=
-        std::abs(static_cast<long double>(u.x()) * v.x() + static_cast<long double>(u.y()) * v.y() +
-                 static_cast<long double>(u.z()) * v.z());
-  }
-  return static_cast<double>(sum);
 }
 
 /// Random directions, and those at which slopes are extreme or the sum has kinks.
@@ -89,15 +55,6 @@ void on_every_target(const Check& check) {
     ScopedFlatSumTarget target(name);
     check();
   }
-}
-
-template <class Function>
-auto with_threads(int threads, const Function& function) {
-  // More threads than cores are fine here, but TBB wants to be told.
-  tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                            static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads);
-  return arena.execute(function);
 }
 
 }  // namespace

@@ -1,7 +1,4 @@
 // The normal tree against long double sums, on meshes with and without order in their normals.
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -12,32 +9,11 @@
 #include "rectilin/measure/flat_sum.h"
 #include "rectilin/measure/normal_tree.h"
 #include "rectilin/measure/projected_area.h"
+#include "sum_fixtures.h"
 
 using namespace rectilin;
 
 namespace {
-
-using Directions = std::vector<Vector3>;
-
-AreaVectors make_vectors(const Directions& vectors) {
-  AreaVectors result;
-  for (const Vector3& v : vectors) {
-    result.x.push_back(v.x());
-    result.y.push_back(v.y());
-    result.z.push_back(v.z());
-    result.total += v.stableNorm();
-  }
-  result.faces = vectors.size();
-  return result;
-}
-
-Directions gaussian(std::size_t size, unsigned seed) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
-  Directions result(size);
-  for (Vector3& v : result) v = Vector3(normal(random), normal(random), normal(random));
-  return result;
-}
 
 /// The upper half of an ellipsoid's normals, square by square of a grid: neighbours are close
 /// together.
@@ -55,16 +31,6 @@ Directions ellipsoid(std::size_t squares) {
     }
   }
   return result;
-}
-
-double exact_value(const Directions& vectors, const Vector3& u) {
-  long double sum = 0;
-  for (const Vector3& v : vectors) {
-    sum +=
-        std::abs(static_cast<long double>(u.x()) * v.x() + static_cast<long double>(u.y()) * v.y() +
-                 static_cast<long double>(u.z()) * v.z());
-  }
-  return static_cast<double>(sum);
 }
 
 std::vector<double> values(const NormalTree& tree, const Directions& u, double resolution = 0) {
@@ -118,15 +84,6 @@ void check_exact(const Directions& vectors) {
   }
 }
 
-template <class Function>
-auto with_threads(int threads, const Function& function) {
-  // More threads than cores are fine here, but TBB wants to be told.
-  tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                            static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads);
-  return arena.execute(function);
-}
-
 }  // namespace
 
 TEST_CASE("the tree's sums and cuts are exact at every size", "[normal_tree]") {
@@ -136,6 +93,19 @@ TEST_CASE("the tree's sums and cuts are exact at every size", "[normal_tree]") {
   }
   check_exact(ellipsoid(2));
   check_exact(ellipsoid(24));
+}
+
+TEST_CASE("errors of the tree's shortened vectors average out", "[normal_tree]") {
+  for (const Directions& vectors : {ellipsoid(4), ellipsoid(24), gaussian(5000, 13)}) {
+    const AreaVectors area = make_vectors(vectors);
+    const NormalTree tree(area);
+    const Directions u = gaussian(20, 14);
+    const auto h = values(tree, u);
+    for (std::size_t k = 0; k < u.size(); ++k) {
+      const double exact = exact_value(vectors, u[k]);
+      CHECK(std::abs(h[k] - exact) <= 1e-13 * exact);
+    }
+  }
 }
 
 TEST_CASE("the tree bears degenerate vectors", "[normal_tree]") {

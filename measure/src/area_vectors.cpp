@@ -59,10 +59,15 @@ AreaVectors area_vectors(std::vector<Vector3> vectors) {
   AreaVectors result;
   result.faces = order.size();
   for (AlignedDoubles* component : {&result.x, &result.y, &result.z}) component->reserve(order.size());
+  const auto sorted = [&](std::size_t i) -> const Vector3& {
+    constexpr std::size_t kAhead = 32;  // the order jumps through memory
+    __builtin_prefetch(&vectors[order[std::min(i + kAhead, order.size() - 1)]]);
+    return vectors[order[i]];
+  };
   long double total = 0;
   for (std::size_t i = 0; i < order.size();) {
-    ParallelSum sum(vectors[order[i]]);
-    for (++i; i < order.size() && sum.accepts(vectors[order[i]]); ++i) sum.add(vectors[order[i]]);
+    ParallelSum sum(sorted(i));
+    for (++i; i < order.size() && sum.accepts(sorted(i)); ++i) sum.add(sorted(i));
     const Vector3& v = sum.value();
     result.x.push_back(v.x());
     result.y.push_back(v.y());

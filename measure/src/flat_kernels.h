@@ -23,15 +23,18 @@ struct FaceSpan {
 template <class T>
 inline constexpr std::size_t kLane = 64 / sizeof(T);
 
-/// Vectors whose sum is formed in vector registers before it is added to a double. Three arrays of
-/// this length take 48 KB: read again and again from the second-level cache by all directions, and
-/// long enough that setting up registers and adding up their lanes costs little.
+/// Vectors whose sum is formed in vector registers. Three arrays of this length take 24 KB: all
+/// directions read them again and again from the first-level cache.
 template <class T>
-inline constexpr std::size_t kBlock = 16384 / sizeof(T);
+inline constexpr std::size_t kBlock = 8192 / sizeof(T);
 
 /// Vectors that one kernel call sums at most; also a task's share when faces are split over
 /// threads.
 inline constexpr std::size_t kChunk = 32768;
+
+/// Directions of one kernel call at most; their slopes and sums live on the stack. A population of
+/// fifty rotations fits.
+inline constexpr std::size_t kSlab = 192;
 
 /// For every direction k, adds kOutputs sums over `faces` and `tail` to sums[kOutputs k], ...
 /// `tail` is either empty or the padded end of the faces. Sums are in units of the slope's scale.

@@ -30,6 +30,15 @@ HWY_INLINE hn::Vec<D> add_if(D, hn::Mask<D> mask, hn::Vec<D> sum, hn::Vec<D> v) 
 #endif
 }
 
+/// Adds to a sum kept in memory, lane by lane.
+template <class D>
+HWY_INLINE void add_lanes(D d, hn::Vec<D> v, hn::TFromD<D>* lanes) {
+  hn::Store(hn::Add(hn::Load(d, lanes), v), d, lanes);
+}
+
+// The sums have named members: compilers keep these in registers where they would not keep an
+// array.
+
 /// sum min(s, 0)
 template <class D>
 struct NegativePart {
@@ -40,6 +49,7 @@ struct NegativePart {
   HWY_INLINE NegativePart() : sum(hn::Zero(D())) {}  // written out: an implicit one has no target
   HWY_INLINE void add(V, V, V, V s) { sum = hn::Add(sum, hn::Min(s, hn::Zero(D()))); }
   HWY_INLINE void add_to(double* out) const { out[0] += lane_sum(D(), sum); }
+  HWY_INLINE void add_to_lanes(hn::TFromD<D>* lanes) const { add_lanes(D(), sum, lanes); }
 };
 
 /// sum of v
@@ -60,6 +70,12 @@ struct TotalSum {
     out[0] += lane_sum(D(), x);
     out[1] += lane_sum(D(), y);
     out[2] += lane_sum(D(), z);
+  }
+  HWY_INLINE void add_to_lanes(hn::TFromD<D>* lanes) const {
+    const D d;
+    add_lanes(d, x, lanes);
+    add_lanes(d, y, lanes + hn::Lanes(d));
+    add_lanes(d, z, lanes + 2 * hn::Lanes(d));
   }
 };
 

@@ -32,10 +32,6 @@ struct FlatFaces {
 
 namespace {
 
-// Directions carried through all faces together; their slopes and sums live on the stack. A
-// population of fifty rotations fits.
-constexpr std::size_t kSlab = 192;
-
 // Directions of one task when threads share the directions: a multiple of every kernel's group
 // size.
 constexpr std::size_t kTaskDirections = 32;
@@ -174,13 +170,13 @@ void FlatSum::cuts(std::span<const Vector3> u, std::span<Vector3> g) const {
 }
 
 double FlatSum::relative_error_bound(Precision precision) {
-  // In units of roundoff, for the least number of lanes, one: the kBlock terms of a block, and 8
-  // for a projection (slopes, multiply-adds, fused or not, conversion of the components). Then
-  // kChunk / kBlock blocks of a chunk. Chunks are compensated. Both the negative side, which counts
-  // twice, and the total err by that.
+  // In units of roundoff, for the least number of lanes, one: the kBlock terms of a block, the
+  // kChunk / kBlock blocks of a chunk, and 8 for a projection (slopes, multiply-adds, fused or not,
+  // conversion of the components). Up to sixteen lanes and a chunk's sum are added in double
+  // precision or before that in four steps. Chunks are compensated. Both the negative side, which
+  // counts twice, and the total err by that.
   const auto error = [](std::size_t block, double roundoff) {
-    const auto terms = static_cast<double>(block) + 8;
-    return 3 * (terms * roundoff + static_cast<double>(kChunk / block + 2) * 0x1p-53);
+    return 3 * (static_cast<double>(block + kChunk / block + 8 + 4) * roundoff + 2 * 0x1p-53);
   };
   return precision == Precision::kSingle ? error(kBlock<float>, 0x1p-24)
                                          : error(kBlock<double>, 0x1p-53);

@@ -15,13 +15,27 @@ inline constexpr std::size_t kFan = 8;
 /// Vectors of a leaf. Smaller leaves mean fewer vectors summed one by one, but more nodes.
 inline constexpr std::size_t kLeaf = 8;
 
-/// Doubles of a family of kFan siblings: x, y, z of their sums V, kFan each, then |V| sin(radius of
-/// the cap), which is infinite if a cap reaches a right angle. Missing siblings have V = 0 and
-/// radius -1: they never open.
-inline constexpr std::size_t kFamily = 4 * kFan;
+/// kFan siblings in three cache lines: their sums V, component by component, and caps around them.
+/// What a query of a large tree costs is the number of cache lines it reads, so the caps take no
+/// room of their own: the last byte of each component holds a byte of the cap's |V| sin(radius), a
+/// double without its sign and without the lower 39 bits, rounded up. A sum lacks 2^-44 of itself
+/// by that. The radius is infinite if the cap reaches a right angle. Missing siblings are all
+/// zeros.
+struct alignas(64) NormalFamily {
+  std::uint64_t sums[3][kFan];
+};
+static_assert(sizeof(NormalFamily) == 192);
 
-/// Doubles of a leaf: x, y, z of its vectors, kLeaf each. Missing vectors are zero.
-inline constexpr std::size_t kLeafSpan = 3 * kLeaf;
+/// kLeaf vectors in two cache lines. A component is the integer 256 high + low in units of
+/// 2^(unit - exponent): 40 bits, so at most 2^-39 of the vector's largest component is lost. Only
+/// leaves near the great circle are read, hence what this loses is little even of that.
+/// Missing vectors are zeros.
+struct alignas(128) NormalLeaf {
+  std::int32_t high[3][kLeaf];
+  std::uint8_t low[3][kLeaf];
+  std::uint8_t exponent[kLeaf];
+};
+static_assert(sizeof(NormalLeaf) == 128);
 
 inline constexpr int kMaxLevels = 12;  // enough for 2^36 vectors
 
@@ -31,8 +45,9 @@ inline constexpr std::size_t kMostOpened = 16384;
 /// Node j of family f on level l is the parent of family 8 f + j on level l - 1, or of leaf 8 f + j
 /// if l = 0. The highest level is a single family.
 struct NormalNodes {
-  const double* leaves = nullptr;
-  const double* levels[kMaxLevels] = {};
+  const NormalLeaf* leaves = nullptr;
+  std::uint64_t unit = 0;  ///< of the leaves: the biased exponent of a double
+  const NormalFamily* levels[kMaxLevels] = {};
   /// Nodes of each level that a query may open before it gives up; at most kMostOpened.
   std::size_t limits[kMaxLevels] = {};
   int depth = 0;  ///< number of levels
@@ -40,7 +55,7 @@ struct NormalNodes {
 
 struct NormalQuery {
   Slope<double> slope;
-  double reach;  ///< |u| / |scale|: the circle meets a cap of radius r if |s| <= |V| sin(r) reach
+  double reach;  ///< |u| / |scale|: the circle meets a cap of radius r if |s| < |V| sin(r) reach
   double resolution;  ///< squared sine of the radius up to which a node is not opened
 };
 
@@ -50,9 +65,9 @@ using NormalKernel = bool (*)(const NormalNodes& nodes, const NormalQuery& query
 
 struct NormalKernels {
   NormalKernel values, cuts;
-  /// Squared sine of the largest angle between the unit vector `axis` and the vectors of `count`
-  /// leaves; infinite if an angle is not acute, or a vector too short to tell.
-  double (*cap)(const double* leaves, std::size_t count, const double* axis);
+  /// Squared sine of the largest angle between the unit vector `axis` and the vectors of leaves
+  /// `begin` to `end`; infinite if an angle is not acute, or a vector too short to tell.
+  double (*cap)(const NormalNodes& nodes, std::size_t begin, std::size_t end, const double* axis);
 };
 
 const NormalKernels& normal_kernels();

@@ -88,8 +88,6 @@ bool NormalTree::worthwhile(std::size_t vectors) {
   return vectors >= 30000;
 }
 
-std::size_t NormalTree::bytes() const {
-  return sizeof(*this) + sizeof(NormalNodes) + doubles_ * sizeof(double);
-}
+std::size_t NormalTree::bytes() const { return sizeof(*this) + sizeof(NormalNodes) + bytes_; }
 
 }  // namespace rectilin

@@ -20,6 +20,8 @@ namespace rectilin::HWY_NAMESPACE {
 namespace {
 
 using D = hn::CappedTag<double, kFan>;
+using V = hn::Vec<D>;
+using D64 = hn::RebindToUnsigned<D>;
 using D32 = hn::CappedTag<std::uint32_t, kFan>;
 
 // Nodes whose terms are summed in registers before they are added to the compensated sums: keeps
@@ -35,14 +37,60 @@ HWY_INLINE V squared_length(V x, V y, V z) {
   return hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
 }
 
-HWY_INLINE void prefetch(const double* data, std::size_t size) {
-  for (std::size_t i = 0; i < size; i += 8) hwy::Prefetch(data + i);
+struct Vectors {
+  V x, y, z;
+};
+
+/// Lanes `lane` and following of a component, in units of the leaf's.
+HWY_INLINE V load_component(const NormalLeaf& leaf, std::size_t c, std::size_t lane) {
+  const D d;
+  const hn::Rebind<std::int32_t, D> d32;
+  const hn::Rebind<std::uint8_t, D> d8;
+  const auto high = hn::PromoteTo(d, hn::Load(d32, leaf.high[c] + lane));
+  const auto low = hn::PromoteTo(d, hn::PromoteTo(d32, hn::Load(d8, leaf.low[c] + lane)));
+  return hn::MulAdd(high, hn::Set(d, 256.0), low);
+}
+
+HWY_INLINE Vectors load_leaf(const NormalLeaf& leaf, std::size_t lane, hn::Vec<D64> unit) {
+  const D d;
+  const hn::Rebind<std::uint32_t, D> d32;
+  const hn::Rebind<std::uint8_t, D> d8;
+  const auto exponent =
+      hn::PromoteTo(D64(), hn::PromoteTo(d32, hn::Load(d8, leaf.exponent + lane)));
+  const auto scale = hn::BitCast(d, hn::ShiftLeft<52>(hn::Sub(unit, exponent)));
+  return {hn::Mul(load_component(leaf, 0, lane), scale),
+          hn::Mul(load_component(leaf, 1, lane), scale),
+          hn::Mul(load_component(leaf, 2, lane), scale)};
+}
+
+struct Nodes {
+  Vectors sum;
+  V radius;
+};
+
+HWY_INLINE Nodes load_family(const NormalFamily& family, std::size_t lane) {
+  const D d;
+  const D64 d64;
+  const auto x = hn::Load(d64, family.sums[0] + lane);
+  const auto y = hn::Load(d64, family.sums[1] + lane);
+  const auto z = hn::Load(d64, family.sums[2] + lane);
+  // The last byte of each is one of the radius's upper ones, below its sign.
+  const auto radius = hn::Or(
+      hn::ShiftRight<1>(hn::ShiftLeft<56>(x)),
+      hn::Or(hn::ShiftRight<9>(hn::ShiftLeft<56>(y)), hn::ShiftRight<17>(hn::ShiftLeft<56>(z))));
+  return {{hn::BitCast(d, x), hn::BitCast(d, y), hn::BitCast(d, z)}, hn::BitCast(d, radius)};
+}
+
+template <class Block>
+HWY_INLINE void prefetch(const Block& block) {
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(&block);
+  for (std::size_t i = 0; i < sizeof(Block); i += 64) hwy::Prefetch(bytes + i);
 }
 
 /// The start of a list, to which nothing before it looks ahead.
-HWY_INLINE void prefetch_first(const double* data, std::size_t span, const std::uint32_t* list,
-                               std::size_t size) {
-  for (std::size_t i = 0; i < std::min(kAhead, size); ++i) prefetch(data + list[i] * span, span);
+template <class Block>
+HWY_INLINE void prefetch_first(const Block* blocks, const std::uint32_t* list, std::size_t size) {
+  for (std::size_t i = 0; i < std::min(kAhead, size); ++i) prefetch(blocks[list[i]]);
 }
 
 /// Lists of nodes. The lane numbers are kept in memory: Highway's Iota writes them there one by one
@@ -100,7 +148,7 @@ class Walk {
   HWY_INLINE std::size_t test(int level, const std::uint32_t* families, std::size_t size,
                               std::uint32_t* children) {
     NodeList found(children);
-    prefetch_first(nodes_.levels[level], kFamily, families, size);
+    prefetch_first(nodes_.levels[level], families, size);
     for (std::size_t begin = 0; begin < size && found.size() <= nodes_.limits[level];) {
       const std::size_t end = std::min(size, begin + kChunkNodes / kFan);
       test_chunk(nodes_.levels[level], families, begin, end, size, found);
@@ -110,28 +158,25 @@ class Walk {
     return found.size();
   }
 
-  HWY_INLINE void test_chunk(const double* nodes, const std::uint32_t* families, std::size_t begin,
-                             std::size_t end, std::size_t size, NodeList& found) {
+  HWY_INLINE void test_chunk(const NormalFamily* nodes, const std::uint32_t* families,
+                             std::size_t begin, std::size_t end, std::size_t size,
+                             NodeList& found) {
     const D d;
     const auto a = hn::Set(d, query_.slope.a), b = hn::Set(d, query_.slope.b);
     const auto reach = hn::Set(d, query_.reach), resolution = hn::Set(d, query_.resolution);
     Sum sum = sum_;
     for (std::size_t i = begin; i < end; ++i) {
-      prefetch(nodes + families[std::min(i + kAhead, size - 1)] * kFamily, kFamily);
-      const double* family = nodes + families[i] * kFamily;
+      prefetch(nodes[families[std::min(i + kAhead, size - 1)]]);
       unsigned bits = 0;
       for (std::size_t lane = 0; lane < kFan; lane += hn::Lanes(d)) {
-        const auto x = hn::Load(d, family + lane);
-        const auto y = hn::Load(d, family + kFan + lane);
-        const auto z = hn::Load(d, family + 2 * kFan + lane);
-        const auto radius = hn::Load(d, family + 3 * kFan + lane);
-        const auto s = hn::MulAdd(a, x, hn::MulAdd(b, y, z));
-        auto meets = hn::Le(hn::Abs(s), hn::Mul(radius, reach));
+        const auto [v, radius] = load_family(nodes[families[i]], lane);
+        const auto s = hn::MulAdd(a, v.x, hn::MulAdd(b, v.y, v.z));
+        auto meets = hn::Lt(hn::Abs(s), hn::Mul(radius, reach));
         if (kCutOff) {
-          const auto least = hn::Mul(squared_length(x, y, z), resolution);
+          const auto least = hn::Mul(squared_length(v.x, v.y, v.z), resolution);
           meets = hn::And(meets, hn::Gt(hn::Mul(radius, radius), least));
         }
-        sum.add(x, y, z, hn::IfThenZeroElse(meets, s));
+        sum.add(v.x, v.y, v.z, hn::IfThenZeroElse(meets, s));
         std::uint8_t byte[8] = {};
         hn::StoreMaskBits(d, meets, byte);
         bits |= static_cast<unsigned>(byte[0]) << lane;
@@ -142,7 +187,7 @@ class Walk {
   }
 
   HWY_INLINE void add_leaves(const std::uint32_t* leaves, std::size_t size) {
-    prefetch_first(nodes_.leaves, kLeafSpan, leaves, size);
+    prefetch_first(nodes_.leaves, leaves, size);
     for (std::size_t begin = 0; begin < size;) {
       const std::size_t end = std::min(size, begin + kChunkNodes);
       add_chunk(leaves, begin, end, size);
@@ -155,15 +200,13 @@ class Walk {
                             std::size_t size) {
     const D d;
     const auto a = hn::Set(d, query_.slope.a), b = hn::Set(d, query_.slope.b);
+    const auto unit = hn::Set(D64(), nodes_.unit);
     Sum sum = sum_;
     for (std::size_t i = begin; i < end; ++i) {
-      prefetch(nodes_.leaves + leaves[std::min(i + kAhead, size - 1)] * kLeafSpan, kLeafSpan);
-      const double* leaf = nodes_.leaves + leaves[i] * kLeafSpan;
+      prefetch(nodes_.leaves[leaves[std::min(i + kAhead, size - 1)]]);
       for (std::size_t lane = 0; lane < kLeaf; lane += hn::Lanes(d)) {
-        const auto x = hn::Load(d, leaf + lane);
-        const auto y = hn::Load(d, leaf + kLeaf + lane);
-        const auto z = hn::Load(d, leaf + 2 * kLeaf + lane);
-        sum.add(x, y, z, hn::MulAdd(a, x, hn::MulAdd(b, y, z)));
+        const Vectors v = load_leaf(nodes_.leaves[leaves[i]], lane, unit);
+        sum.add(v.x, v.y, v.z, hn::MulAdd(a, v.x, hn::MulAdd(b, v.y, v.z)));
       }
     }
     sum_ = sum;
@@ -188,18 +231,17 @@ bool kernel(const NormalNodes& nodes, const NormalQuery& query, TwoSum* sums) {
                               : Walk<Sum, false>(nodes, query, sums).run();
 }
 
-double cap(const double* leaves, std::size_t count, const double* axis) {
+double cap(const NormalNodes& nodes, std::size_t begin, std::size_t end, const double* axis) {
   const D d;
   const auto ax = hn::Set(d, axis[0]), ay = hn::Set(d, axis[1]), az = hn::Set(d, axis[2]);
   const auto zero = hn::Zero(d), infinity = hn::Set(d, std::numeric_limits<double>::infinity());
   const auto shortest =
       hn::Set(d, 1e-280);  // of squared lengths that have not lost digits to underflow
   auto largest = zero;
-  for (const double* leaf = leaves; leaf < leaves + count * kLeafSpan; leaf += kLeafSpan) {
+  const auto unit = hn::Set(D64(), nodes.unit);
+  for (std::size_t leaf = begin; leaf < end; ++leaf) {
     for (std::size_t lane = 0; lane < kLeaf; lane += hn::Lanes(d)) {
-      const auto x = hn::Load(d, leaf + lane);
-      const auto y = hn::Load(d, leaf + kLeaf + lane);
-      const auto z = hn::Load(d, leaf + 2 * kLeaf + lane);
+      const auto [x, y, z] = load_leaf(nodes.leaves[leaf], lane, unit);
       const auto cx = hn::MulSub(y, az, hn::Mul(z, ay));
       const auto cy = hn::MulSub(z, ax, hn::Mul(x, az));
       const auto cz = hn::MulSub(x, ay, hn::Mul(y, ax));

@@ -65,7 +65,7 @@ void ProjectedArea::cuts(std::span<const Rotation> rotations, std::span<Cut> cut
 
 CutBounds ProjectedArea::cut_bounds() const {
   // Two directions merged as parallel may be kParallel apart; dividing by S takes a few roundoffs.
-  const double sums = std::max(FlatSum::relative_error_bound(flat_.precision()), NormalTree::kErrorBound);
+  const double sums = use_tree_ ? NormalTree::kErrorBound : FlatSum::relative_error_bound(flat_.precision());
   return {.error = sums + 4 * kParallel, .norm = 1 + 1e-12, .floor = 1 - 0x1p-50};  // floor: eq. (12)
 }
 
