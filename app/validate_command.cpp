@@ -29,7 +29,8 @@ struct ValidateOptions {
 std::string write_counterexample(const ClaimResult& result, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   const std::string mesh = (folder / (result.claim->id + ".off")).string();
-  write_mesh(mesh, result.decisive.mesh ? *result.decisive.mesh : load_mesh(result.decisive.where).mesh);
+  write_mesh(mesh,
+             result.decisive.mesh ? *result.decisive.mesh : load_mesh(result.decisive.where).mesh);
   const Eigen::Vector3d angles = euler_from_rotation(result.decisive.rotation);
   const std::string file = (folder / (result.claim->id + ".json")).string();
   std::ofstream out(file);
@@ -47,7 +48,8 @@ std::string write_counterexample(const ClaimResult& result, const std::filesyste
 
 /// A claim about rotations or angles alone has no mesh to show.
 bool has_mesh(const Finding& finding) {
-  return finding.mesh || finding.where.starts_with("shape:") || std::filesystem::exists(finding.where);
+  return finding.mesh || finding.where.starts_with("shape:") ||
+         std::filesystem::exists(finding.where);
 }
 
 Json to_json(const ClaimResult& result, const std::string& mesh) {
@@ -71,12 +73,19 @@ Json to_json(const ClaimResult& result, const std::string& mesh) {
 }
 
 void print_table(const Validation& validation) {
-  const Table table({{"claim", 18}, {"expected", 8}, {"verdict", 17}, {"margin", 11}, {"tolerance", 9}, {"tested", 6}, {"failed", 6}});
+  const Table table({{"claim", 18},
+                     {"expected", 8},
+                     {"verdict", 17},
+                     {"margin", 11},
+                     {"tolerance", 9},
+                     {"tested", 6},
+                     {"failed", 6}});
   std::cout << table.header() << "  decided by\n";
   for (const ClaimResult& result : validation.results) {
     const bool tested = result.tested > 0;
     std::cout << table.row({result.claim->id, result.claim->should_hold ? "holds" : "fails",
-                            std::string(to_string(result.verdict)), tested ? general(result.decisive.margin, 4) : "-",
+                            std::string(to_string(result.verdict)),
+                            tested ? general(result.decisive.margin, 4) : "-",
                             general(result.claim->tolerance, 2), std::to_string(result.tested),
                             std::to_string(result.failed)})
               << "  " << result.decisive.where;
@@ -87,50 +96,63 @@ void print_table(const Validation& validation) {
 
 void print_list() {
   for (const Claim& claim : claims()) {
-    std::cout << claim.id << "  [" << claim.source << "]\n    " << claim.statement << "\n    Tested: " << claim.test
+    std::cout << claim.id << "  [" << claim.source << "]\n    " << claim.statement
+              << "\n    Tested: " << claim.test
               << "\n    Tolerance: " << general(claim.tolerance, 2) << " (" << claim.why << ")\n";
-    if (!claim.should_hold) std::cout << "    Expected to fail. " << claim.remark << '\n';
-    else if (!claim.remark.empty()) std::cout << "    " << claim.remark << '\n';
+    if (!claim.should_hold)
+      std::cout << "    Expected to fail. " << claim.remark << '\n';
+    else if (!claim.remark.empty())
+      std::cout << "    " << claim.remark << '\n';
   }
 }
 
 int run_validation(ValidateOptions options) {
   if (options.list || options.markdown) {
-    if (options.markdown) std::cout << claims_markdown();
-    else print_list();
+    if (options.markdown)
+      std::cout << claims_markdown();
+    else
+      print_list();
     return 0;
   }
   std::optional<tbb::global_control> limit;
   if (options.threads > 0)
-    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+    limit.emplace(tbb::global_control::max_allowed_parallelism,
+                  static_cast<std::size_t>(options.threads));
 
   Validation validation;
   {
     std::unique_ptr<Progress> progress;
     options.settings.stop = stop_on_interrupt();
-    options.settings.on_progress = [&](std::size_t done, std::size_t total, const std::string& what) {
+    options.settings.on_progress = [&](std::size_t done, std::size_t total,
+                                       const std::string& what) {
       if (!progress) progress = std::make_unique<Progress>(total);
       progress->show(done, what);
     };
     validation = validate(options.sources, options.settings);
   }
-  for (const std::string& error : validation.errors) complain(error);
-
+  std::vector<std::string> errors = validation.errors;
   Json list = Json::array();
   for (const ClaimResult& result : validation.results) {
     std::string mesh;
-    if (result.verdict == ClaimVerdict::kFails && has_mesh(result.decisive))
-      mesh = write_counterexample(result, options.out);
+    try {
+      if (result.verdict == ClaimVerdict::kFails && has_mesh(result.decisive))
+        mesh = write_counterexample(result, options.out);
+    } catch (const std::exception& e) {
+      errors.push_back(e.what());  // the verdicts are worth more than the file
+    }
     list.push_back(to_json(result, mesh));
   }
-  if (options.json) std::cout << list.dump(2) << '\n';
-  else print_table(validation);
+  for (const std::string& error : errors) complain(error);
+  if (options.json)
+    std::cout << list.dump(2) << '\n';
+  else
+    print_table(validation);
 
   for (const ClaimResult& result : validation.results)
     if (result.claim->should_hold && result.verdict == ClaimVerdict::kFails)
       complain(result.claim->id + " fails: " + result.decisive.where);
   if (!validation.complete) complain("stopped: the verdicts rest on what was tested until then");
-  return validation.as_expected() && validation.errors.empty() && validation.complete ? 0 : 1;
+  return validation.as_expected() && errors.empty() && validation.complete ? 0 : 1;
 }
 
 }  // namespace
@@ -138,23 +160,34 @@ int run_validation(ValidateOptions options) {
 void add_validate_command(CLI::App& app, int& status) {
   auto options = std::make_shared<ValidateOptions>();
   CLI::App* command = app.add_subcommand("validate", "Test the paper's claims");
-  command->add_option("source", options->sources,
-                      "Mesh files, folders of them, built-in shapes (shape:NAME?key=value). Default: some shapes");
+  command->add_option(
+      "source", options->sources,
+      "Mesh files, folders of them, built-in shapes (shape:NAME?key=value). Default: some shapes");
   command
-      ->add_option("-c,--claims", options->settings.claims, "Claims to test, separated by commas. Default: all")
+      ->add_option("-c,--claims", options->settings.claims,
+                   "Claims to test, separated by commas. Default: all")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command->add_option("-s,--seed", options->settings.seed, "Seed of the random rotations and runs")->capture_default_str();
-  command->add_option("-O,--out", options->out, "Folder for counterexamples, made if there are any: a mesh and a rotation")
+  command->add_option("-s,--seed", options->settings.seed, "Seed of the random rotations and runs")
       ->capture_default_str();
-  command->add_option("-t,--threads", options->threads, "Threads (default: all); the verdicts are the same for any")
+  command
+      ->add_option("-O,--out", options->out,
+                   "Folder for counterexamples, made if there are any: a mesh and a rotation")
+      ->capture_default_str();
+  command
+      ->add_option("-t,--threads", options->threads,
+                   "Threads (default: all); the verdicts are the same for any")
       ->check(CLI::PositiveNumber);
   command->add_flag("-j,--json", options->json, "A list of JSON objects instead of the table");
-  command->add_flag("-m,--markdown", options->markdown, "Print the ledger of claims as a table in Markdown; test nothing");
-  command->add_flag("-l,--list", options->list, "Print the claims and how they are tested; test nothing");
+  command->add_flag("-m,--markdown", options->markdown,
+                    "Print the ledger of claims as a table in Markdown; test nothing");
+  command->add_flag("-l,--list", options->list,
+                    "Print the claims and how they are tested; test nothing");
   command->footer(
-      "A margin is the room between what was seen and what the claim allows. A claim holds if the worst margin\n"
-      "is zero within the tolerance, holds with margin above that, and fails below. Exit status 1: a claim that\n"
+      "A margin is the room between what was seen and what the claim allows. A claim holds if the "
+      "worst margin\n"
+      "is zero within the tolerance, holds with margin above that, and fails below. Exit status 1: "
+      "a claim that\n"
       "should hold failed, or a mesh could not be read.\n"
       "Examples: rectilin validate\n"
       "          rectilin validate --claims eq-28,eq-28-zone meshes/ --out wrong\n"

@@ -44,6 +44,9 @@ for key in claim source verdict margin counterexample; do
   [ "$(grep -c "\"$key\":" out)" -eq 2 ] || fail "$key of each claim"
 done
 grep -q '"tested": 2' out || fail "two meshes were tested"
+touch file
+expect 1 '^eq-28-cubes +fails +fails' "$rectilin" validate --claims eq-28-cubes --out file/folder
+[ "$(wc -l <err)" -eq 1 ] || fail "one line for the counterexample that cannot be written"
 mkdir empty
 expect 1 'no mesh file' "$rectilin" validate empty
 

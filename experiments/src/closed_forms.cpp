@@ -14,7 +14,8 @@ using std::numbers::pi;
 
 double from_areas(double surface, double projected) { return 3 * surface / projected - 2; }
 
-/// The least of sum_j |cos(phi_j - t)| + |sin(phi_j - t)| over t, for n directions phi_j = 2 pi j / n.
+/// The least of sum_j |cos(phi_j - t)| + |sin(phi_j - t)| over t, for n directions phi_j = 2 pi j /
+/// n.
 double least_width_sum(int n) {
   if (n % 4 == 0) return 4 / std::tan(pi / n);
   if (n % 2 == 0) return 2 / std::tan(pi / (2.0 * n));
@@ -48,7 +49,8 @@ double ellipsoid_area(double a, double b, double c) {
   // The modulus; 1 for y = x up to rounding, where it must not exceed 1.
   const double k = std::min(1.0, std::sqrt(std::max(0.0, 1 - z / y * (z / y))) / sine);
   return 2 * pi * z * z +
-         2 * pi * x * y / sine * (std::ellint_2(k, phi) * sine * sine + std::ellint_1(k, phi) * (1 - sine * sine));
+         2 * pi * x * y / sine *
+             (std::ellint_2(k, phi) * sine * sine + std::ellint_1(k, phi) * (1 - sine * sine));
 }
 
 double ellipsoid_rectilinearity(double a, double b, double c) {
@@ -69,6 +71,8 @@ Mesh tilted_top_cube(double tilt) {
   return mesh;
 }
 
-double tilted_top_rectilinearity(double tilt) { return from_areas(6, 5 + std::cos(tilt) + std::sin(tilt)); }
+double tilted_top_rectilinearity(double tilt) {
+  return from_areas(6, 5 + std::cos(tilt) + std::sin(tilt));
+}
 
 }  // namespace rectilin

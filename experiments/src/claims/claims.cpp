@@ -37,7 +37,8 @@ std::string cell(const std::string& text) {
 const std::vector<Claim>& claims() {
   static const std::vector<Claim> all = [] {
     std::vector<Claim> list;
-    for (const Json& entry : Json::parse(claims_detail::kLedger)) list.push_back(claim_from_json(entry));
+    for (const Json& entry : Json::parse(claims_detail::kLedger))
+      list.push_back(claim_from_json(entry));
     return list;
   }();
   return all;
@@ -45,23 +46,29 @@ const std::vector<Claim>& claims() {
 
 std::string claims_markdown() {
   std::ostringstream out;
-  out << "| claim | source | what is claimed | how it is tested | tolerance of the margin | expected | code |\n"
+  out << "| claim | source | what is claimed | how it is tested | tolerance of the margin | "
+         "expected | code |\n"
          "| --- | --- | --- | --- | --- | --- | --- |\n";
   for (const Claim& claim : claims()) {
-    out << "| `" << claim.id << "` | " << cell(claim.source) << " | " << cell(claim.statement) << " | "
-        << cell(claim.test) << " | " << Json(claim.tolerance).dump() << ": " << cell(claim.why) << " | "
-        << (claim.should_hold ? "holds" : "fails") << (claim.remark.empty() ? "" : ". ") << cell(claim.remark) << " | `"
-        << claim.code << "` |\n";
+    out << "| `" << claim.id << "` | " << cell(claim.source) << " | " << cell(claim.statement)
+        << " | " << cell(claim.test) << " | " << Json(claim.tolerance).dump() << ": "
+        << cell(claim.why) << " | " << (claim.should_hold ? "holds" : "fails")
+        << (claim.remark.empty() ? "" : ". ") << cell(claim.remark) << " | `" << claim.code
+        << "` |\n";
   }
   return out.str();
 }
 
 std::string_view to_string(ClaimVerdict verdict) {
   switch (verdict) {
-    case ClaimVerdict::kFails: return "fails";
-    case ClaimVerdict::kHolds: return "holds";
-    case ClaimVerdict::kHoldsWithMargin: return "holds with margin";
-    case ClaimVerdict::kUntested: return "untested";
+    case ClaimVerdict::kFails:
+      return "fails";
+    case ClaimVerdict::kHolds:
+      return "holds";
+    case ClaimVerdict::kHoldsWithMargin:
+      return "holds with margin";
+    case ClaimVerdict::kUntested:
+      return "untested";
   }
   return "";
 }

@@ -17,8 +17,8 @@ Vector3 random_angles(Random& random) {
   return 2 * std::numbers::pi * Vector3(random.uniform(), random.uniform(), random.uniform());
 }
 
-/// Calls face(eta') for every triangle, eta' as in eq. (5). In extended precision where the platform has it, so that
-/// a mesh far from the origin loses nothing in turning.
+/// Calls face(eta') for every triangle, eta' as in eq. (5). In extended precision where the
+/// platform has it, so that a mesh far from the origin loses nothing in turning.
 template <class Face>
 void for_each_turned_face(const Mesh& mesh, const Eigen::Matrix3d& rotation, Face face) {
   const LongMatrix r = rotation.cast<long double>();
@@ -46,7 +46,8 @@ Finding check_convention(Random random, EulerConvention convention) {
     const Rotation expected = frame_turned(a[0], a[1], a[2]);
     const Rotation got = convention(a[0], a[1], a[2]);
     const double margin = -(got.matrix() - expected.matrix()).cwiseAbs().maxCoeff();
-    if (margin < finding.margin) finding = {margin, "three turns of the frame", nullptr, expected, {}};
+    if (margin < finding.margin)
+      finding = {margin, "three turns of the frame", nullptr, expected, {}};
   }
   return finding;
 }
@@ -57,10 +58,11 @@ Finding check_definition(const Specimen& specimen, Random random, EulerConventio
   for (int i = 0; i < kRotations; ++i) {
     const Vector3 a = random_angles(random);
     long double area = 0, projected = 0;  // S and P, eqs. (10), (11)
-    for_each_turned_face(*specimen.mesh, frame_turned(a[0], a[1], a[2]).matrix(), [&](const LongVector& eta) {
-      area += eta.norm() / 2;              // eq. (6)
-      projected += eta.lpNorm<1>() / 2;    // eq. (7)
-    });
+    for_each_turned_face(*specimen.mesh, frame_turned(a[0], a[1], a[2]).matrix(),
+                         [&](const LongVector& eta) {
+                           area += eta.norm() / 2;            // eq. (6)
+                           projected += eta.lpNorm<1>() / 2;  // eq. (7)
+                         });
     const Rotation rotation = convention(a[0], a[1], a[2]);
     const double expected = static_cast<double>(projected / area);
     const double margin = rounding - std::abs(ratio_at(*specimen.objective, rotation) - expected);
@@ -78,11 +80,13 @@ Finding check_angles(const Specimen& specimen, Random random) {
     double projected = 0;
     for (std::size_t k = 0; k < vectors.size(); ++k) {
       const Vector3 v = rotation.matrix() * vectors[k];
-      const double psi = std::atan2(std::hypot(v.x(), v.y()), v.z()), phi = std::atan2(v.y(), v.x());
+      const double psi = std::atan2(std::hypot(v.x(), v.y()), v.z()),
+                   phi = std::atan2(v.y(), v.x());
       projected += v.norm() * (std::abs(std::cos(psi)) + std::abs(std::sin(psi) * std::cos(phi)) +
                                std::abs(std::sin(psi) * std::sin(phi)));
     }
-    const double margin = -std::abs(ratio_at(*specimen.objective, rotation) - projected / vectors.total);
+    const double margin =
+        -std::abs(ratio_at(*specimen.objective, rotation) - projected / vectors.total);
     if (margin < finding.margin) finding.margin = margin, finding.rotation = rotation;
   }
   return finding;

@@ -7,11 +7,12 @@ namespace rectilin::claims_detail {
 
 using EulerConvention = Rotation (*)(double alpha, double beta, double gamma);
 
-/// The frame turned about its x axis by alpha, then about its y axis by beta, then about its z axis by gamma, as a
-/// product of three matrices (section 3, before eq. 2).
+/// The frame turned about its x axis by alpha, then about its y axis by beta, then about its z axis
+/// by gamma, as a product of three matrices (section 3, before eq. 2).
 Rotation frame_turned(double alpha, double beta, double gamma);
 
-/// Eqs. (3)-(7), (11): P/S of the specimen against rotated vertices and cross products, face by face.
+/// Eqs. (3)-(7), (11): P/S of the specimen against rotated vertices and cross products, face by
+/// face.
 Finding check_definition(const Specimen& specimen, Random random, EulerConvention convention);
 
 /// Eqs. (35)-(37) against frame_turned(): margin minus the largest difference of two entries.

@@ -29,8 +29,10 @@ double bound(const Cut& cut, const Rotation& at, double radius) {
   if (radius > std::numbers::pi / 2) return 1;  // eq. (12)
   const Eigen::Matrix3d b = at.matrix() * cut.gradient.transpose();
   const double w = turning_gradient(cut.gradient, at).norm();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver((b + b.transpose()) / 2, Eigen::EigenvaluesOnly);
-  return cut.value - std::sin(radius) * w - (1 - std::cos(radius)) * (cut.value - solver.eigenvalues()[0]);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver((b + b.transpose()) / 2,
+                                                              Eigen::EigenvaluesOnly);
+  return cut.value - std::sin(radius) * w -
+         (1 - std::cos(radius)) * (cut.value - solver.eigenvalues()[0]);
 }
 
 class Search {
@@ -78,11 +80,14 @@ class Search {
       cells[i].lower = std::max(cells[i].lower, bound(cuts[i], rotations[i], cells[i].radius()));
     }
     for (const Cell& cell : cells)
-      if (rectilinearity(cell.lower) - rectilinearity(best_.found) > gap_) open_.push(cell);
-      else closed_ = std::min(closed_, cell.lower);
+      if (rectilinearity(cell.lower) - rectilinearity(best_.found) > gap_)
+        open_.push(cell);
+      else
+        closed_ = std::min(closed_, cell.lower);
   }
 
-  /// Turns about the third axis stay in the box, up to quarter turns, and the best of them costs a sort.
+  /// Turns about the third axis stay in the box, up to quarter turns, and the best of them costs a
+  /// sort.
   void improve(const Rotation& rotation, double value) {
     best_.rotation = rotation;
     best_.found = value;
@@ -95,7 +100,8 @@ class Search {
   double gap_;
   std::priority_queue<Cell> open_;
   std::uint64_t count_ = 0;
-  double closed_ = std::numeric_limits<double>::infinity();  // least bound of the cells that need no more division
+  double closed_ = std::numeric_limits<double>::infinity();  // least bound of the cells that need
+                                                             // no more division
   Enclosure best_{.found = std::numeric_limits<double>::infinity()};
 };
 

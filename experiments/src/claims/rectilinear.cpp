@@ -33,7 +33,8 @@ double angle_defect(const Vector3& a, const Vector3& b) {
 std::vector<Vector3> largest_faces(const AreaVectors& vectors, std::size_t count) {
   std::vector<Vector3> faces;
   for (std::size_t i = 0; i < vectors.size(); ++i) faces.push_back(vectors[i]);
-  std::ranges::stable_sort(faces, std::ranges::greater(), [](const Vector3& v) { return v.squaredNorm(); });
+  std::ranges::stable_sort(faces, std::ranges::greater(),
+                           [](const Vector3& v) { return v.squaredNorm(); });
   faces.resize(std::min(count, faces.size()));
   return faces;
 }
@@ -44,7 +45,8 @@ const double kLeastSlope = slope_at_corner();
 
 double mean_tilt(const AreaVectors& vectors, const Rotation& frame) {
   double sum = 0;
-  for (std::size_t i = 0; i < vectors.size(); ++i) sum += vectors[i].norm() * tilt(frame.matrix() * vectors[i]);
+  for (std::size_t i = 0; i < vectors.size(); ++i)
+    sum += vectors[i].norm() * tilt(frame.matrix() * vectors[i]);
   return sum / vectors.total;
 }
 
@@ -54,7 +56,8 @@ Rotation frame_by_definition(const AreaVectors& vectors) {
   double best = 0;
   for (std::size_t i = 0; i < vectors.size(); ++i) {
     const Vector3 v = vectors[i], part = v - v.dot(first) * first;
-    // Of orthogonal faces the largest; one that is only partly so counts for less than its projection.
+    // Of orthogonal faces the largest; one that is only partly so counts for less than its
+    // projection.
     const double merit = part.norm() * part.norm() / v.norm();
     if (merit > best) best = merit, across = part;
   }
@@ -78,13 +81,14 @@ Finding check_equality_gives_rectilinear(const Specimen& specimen) {
 }
 
 Finding check_one_iff_rectilinear(const Specimen& specimen) {
-  // If R = 1 - d, then P/S - 1 = d / (3 - d), which bounds the mean tilt, and two faces' angle misses 0 or pi/2 by no more
-  // than their two tilts.
+  // If R = 1 - d, then P/S - 1 = d / (3 - d), which bounds the mean tilt, and two faces' angle
+  // misses 0 or pi/2 by no more than their two tilts.
   const std::vector<Vector3> faces = largest_faces(specimen.vectors(), 200);
   double weight = 0, defect = 0;
   for (const Vector3& a : faces) weight += a.norm();
   for (const Vector3& a : faces)
-    for (const Vector3& b : faces) defect += angle_defect(a, b) * a.norm() * b.norm() / (weight * weight);
+    for (const Vector3& b : faces)
+      defect += angle_defect(a, b) * a.norm() * b.norm() / (weight * weight);
   const double r = specimen.best.least_r();
   const double mean = (1 - r) / (2 + r) / kLeastSlope * specimen.vectors().total / weight;
   const double only_if = 2 * mean - defect;
@@ -102,7 +106,8 @@ std::vector<Finding> check_known_shapes(Random random) {
       const Enclosure best = enclose(load_mesh(source).mesh);
       findings.push_back({best.least_r() - 1, source, nullptr, best.rotation, {}});
     }
-  for (const char* shape : {"pyramid", "prism", "cylinder", "cut-cube?depth=0.01", "filleted-cube?radius=0.01", "torus"}) {
+  for (const char* shape : {"pyramid", "prism", "cylinder", "cut-cube?depth=0.01",
+                            "filleted-cube?radius=0.01", "torus"}) {
     const std::string source = posed(shape, random);
     const Enclosure best = enclose(load_mesh(source).mesh);
     findings.push_back({1 - best.greatest_r(), source, nullptr, best.rotation, {}});
@@ -119,8 +124,11 @@ std::vector<Finding> check_tilted_top(Random) {
     // 1 - R = tilt / 2 - tilt^2 / 3 + ..., so the rate is within the tilt of one half.
     const double rate = (1 - best.least_r()) / tilt;
     const double off = std::max(best.least_r() - expected, expected - best.greatest_r());
-    Finding finding{std::min(-off, tilt - std::abs(rate - 0.5)), "a cube with its top tilted",
-                    std::make_shared<const Mesh>(mesh), best.rotation, {}};
+    Finding finding{std::min(-off, tilt - std::abs(rate - 0.5)),
+                    "a cube with its top tilted",
+                    std::make_shared<const Mesh>(mesh),
+                    best.rotation,
+                    {}};
     finding.margin = std::min(finding.margin, 0.0);
     finding.note = "(1 - R) / tilt = " + std::to_string(rate);
     findings.push_back(std::move(finding));

@@ -2,10 +2,12 @@
 //
 // For a unit vector n at an angle t to the nearest axis, t <= acos(1/sqrt(3)),
 //     kLeastSlope t <= |n|_1 - 1 <= sqrt(2) t.
-// The right side is cos t + sin t (|cos| + |sin|) - 1 at its largest; the left one holds because cos t + sin t - 1
-// is concave, so it lies above its chord. Summed over faces weighted by area, with T the mean tilt of a mesh in a frame,
+// The right side is cos t + sin t (|cos| + |sin|) - 1 at its largest; the left one holds because
+// cos t + sin t - 1 is concave, so it lies above its chord. Summed over faces weighted by area,
+// with T the mean tilt of a mesh in a frame,
 //     kLeastSlope T <= P/S - 1 <= sqrt(2) T,
-// which at T = 0 is Theorem 1 and otherwise says how far from rectilinear a mesh is whose R is below 1.
+// which at T = 0 is Theorem 1 and otherwise says how far from rectilinear a mesh is whose R is
+// below 1.
 #pragma once
 
 #include "tests.h"
@@ -18,8 +20,8 @@ extern const double kLeastSlope;
 /// Mean angle between a face and the nearest plane of the frame, weighted by area. Radians.
 double mean_tilt(const AreaVectors& vectors, const Rotation& frame);
 
-/// The frame Definition 1 leaves no choice about in a rectilinear mesh: one axis along the normal of the largest face, one
-/// along what is most nearly orthogonal to it.
+/// The frame Definition 1 leaves no choice about in a rectilinear mesh: one axis along the normal
+/// of the largest face, one along what is most nearly orthogonal to it.
 Rotation frame_by_definition(const AreaVectors& vectors);
 
 /// "If": in the frame by definition, 1 + sqrt(2) T is no less than the least P/S.

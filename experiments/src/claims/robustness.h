@@ -5,15 +5,15 @@
 
 namespace rectilin::claims_detail {
 
-/// If area vectors change by eta S in total, eta < 1, R changes by at most r_change_bound(eta): for faint noise on the
-/// mesh, and for a few holes in it. Margin: the bound less the certified change.
+/// If area vectors change by eta S in total, eta < 1, R changes by at most r_change_bound(eta): for
+/// faint noise on the mesh, and for a few holes in it. Margin: the bound less the certified change.
 Finding check_stability(const Specimen& specimen, Random random);
 
 /// Noise of 0.2 % of the extent on a box of 20,000 faces: 0.1 minus the change of R.
 std::vector<Finding> check_noise_on_fine_box(Random random);
 
-/// Standard error of R, at the mesh's best rotation, when a share `kept` of its faces remains, chosen at random: that of
-/// the ratio P/S of a sample without replacement, to first order.
+/// Standard error of R, at the mesh's best rotation, when a share `kept` of its faces remains,
+/// chosen at random: that of the ratio P/S of a sample without replacement, to first order.
 double deletion_error(const Specimen& specimen, double kept);
 
 /// "Less than 0.005 at 90 %", on meshes for which that is eight standard errors.

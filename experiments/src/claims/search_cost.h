@@ -5,7 +5,8 @@
 
 namespace rectilin::claims_detail {
 
-/// How much R rises after generation 150 of 200 in a run with the paper's parameters, on the paper's box.
+/// How much R rises after generation 150 of 200 in a run with the paper's parameters, on the
+/// paper's box.
 struct LateGain {
   double r = 0;       ///< the rise
   Rotation rotation;  ///< where the run ended
@@ -19,8 +20,9 @@ std::vector<Finding> check_stable_on_shapes(Random random);
 /// One shape, many runs: the reading in which every run is stable.
 std::vector<Finding> check_always_stable(Random random);
 
-/// Cost proportional to the number of faces: the evaluations of a run do not depend on the mesh, and the processor time
-/// of one evaluation per face does not grow by more than kSlack over a range of kRange in faces.
+/// Cost proportional to the number of faces: the evaluations of a run do not depend on the mesh,
+/// and the processor time of one evaluation per face does not grow by more than kSlack over a range
+/// of kRange in faces.
 std::vector<Finding> check_linear_cost(Random random);
 
 }  // namespace rectilin::claims_detail

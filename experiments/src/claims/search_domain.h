@@ -6,7 +6,8 @@
 
 namespace rectilin::claims_detail {
 
-/// Eq. (28) on a mesh in the pose it has: negative if R on the box [0, pi/2]^3 is certified to fall short of R.
+/// Eq. (28) on a mesh in the pose it has: negative if R on the box [0, pi/2]^3 is certified to fall
+/// short of R.
 Finding check_paper_box(const Specimen& specimen);
 
 /// The same for the mesh in a random pose: its R has not changed, but the box is another one.

@@ -10,18 +10,19 @@
 
 namespace rectilin::claims_detail {
 
-/// How a claim is tested. Tests are pure functions of their arguments, safe to call from many threads.
+/// How a claim is tested. Tests are pure functions of their arguments, safe to call from many
+/// threads.
 struct ClaimTest {
   std::string_view claim;
   /// On any mesh; may be null. Nothing found: the claim does not apply to this mesh.
   std::optional<Finding> (*on_mesh)(const Specimen& specimen, Random random) = nullptr;
   /// On shapes of the claim's own; may be null.
   std::vector<Finding> (*on_shapes)(Random random) = nullptr;
-  /// Share of the findings that may be worse than the decisive one: 0 where the claim is about every case.
+  /// Share of the findings that may be worse than the decisive one: 0 where the claim is about
+  /// every case.
   double quantile = 0;
 };
 
 const std::vector<ClaimTest>& claim_tests();
-
 
 }  // namespace rectilin::claims_detail

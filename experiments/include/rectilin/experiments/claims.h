@@ -27,7 +27,7 @@ struct Claim {
   std::string why;        ///< where that tolerance comes from
   std::string code;       ///< the file with the test, from the project's root
   bool should_hold = true;
-  std::string remark;     ///< what is to be expected, where that takes words; may be empty
+  std::string remark;  ///< what is to be expected, where that takes words; may be empty
 };
 
 /// All claims, in the ledger's order. Thread safe.
@@ -40,10 +40,10 @@ std::string claims_markdown();
 struct Finding {
   /// Room between what was seen and what the claim allows; negative if it is violated, by so much.
   double margin = std::numeric_limits<double>::infinity();
-  std::string where = {};            ///< the mesh: a source for load_mesh(), or words if `mesh` is set
+  std::string where = {};  ///< the mesh: a source for load_mesh(), or words if `mesh` is set
   std::shared_ptr<const Mesh> mesh = {};  ///< the mesh itself if no source names it
   Rotation rotation = {};
-  std::string note = {};             ///< figures worth reading, one line; may be empty
+  std::string note = {};  ///< figures worth reading, one line; may be empty
 };
 
 enum class ClaimVerdict {
@@ -57,7 +57,7 @@ std::string_view to_string(ClaimVerdict verdict);
 struct ClaimResult {
   const Claim* claim = nullptr;
   ClaimVerdict verdict = ClaimVerdict::kUntested;
-  Finding decisive;        ///< the finding with the margin the verdict rests on: as a rule the worst
+  Finding decisive;  ///< the finding with the margin the verdict rests on: as a rule the worst
   std::size_t tested = 0;  ///< findings
   std::size_t failed = 0;  ///< of them, beyond the tolerance
 };
@@ -79,10 +79,12 @@ struct Validation {
   bool as_expected() const;
 };
 
-/// Tests claims on meshes (sources for load_mesh(); without any, on validation_shapes()) and, where a claim is about
-/// certain shapes, on those. The result depends on sources, claims and seed, not on threads. Throws
-/// ParameterError for an unknown claim.
-Validation validate(const std::vector<std::string>& sources, const ValidationSettings& settings = {});
+/// Tests claims on meshes (sources for load_mesh(); without any, on validation_shapes()) and, where
+/// a claim is about certain shapes, on those. The result depends on sources, claims and seed, not
+/// on threads; the margin of linear-cost alone is a time. Throws ParameterError for an unknown
+/// claim, MeshError for a folder without meshes.
+Validation validate(const std::vector<std::string>& sources,
+                    const ValidationSettings& settings = {});
 
 /// The built-in shapes that stand in where no mesh is given.
 const std::vector<std::string>& validation_shapes();
