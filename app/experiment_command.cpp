@@ -18,7 +18,7 @@ namespace {
 struct ExperimentOptions {
   std::string spec;
   std::vector<std::string> meshes;
-  std::string out = "experiments";
+  std::string out = "figures";
   std::uint64_t seed = 1;
   std::optional<double> gap;
   int threads = 0;
@@ -38,7 +38,7 @@ void list() {
       << "\nSettings go behind the name: rectilin experiment 'fig15?steps=1000'\n"
          "Meshes come next, if it takes any: rectilin experiment fig13 teapot.obj dragon.obj\n"
          "Pictures, data and index.html, which shows all experiments made so far, go to the\n"
-         "folder 'experiments' or what --out says.\n";
+         "folder 'figures' or what --out says.\n";
 }
 
 class Runner {
