@@ -34,11 +34,10 @@ void list() {
     if (!experiment.takes.empty()) std::cout << "; takes " << experiment.takes;
     std::cout << '\n' << settings_table(experiment.parameters);
   }
-  std::cout
-      << "\nSettings go behind the name: rectilin experiment 'fig15?steps=1000'\n"
-         "Meshes come next, if it takes any: rectilin experiment fig13 teapot.obj dragon.obj\n"
-         "Pictures, data and index.html, which shows all experiments made so far, go to the\n"
-         "folder 'figures' or what --out says.\n";
+  std::cout << "\nSettings go behind the name: rectilin experiment 'fig15?steps=1000'\n"
+               "Meshes come next, if it takes any: rectilin experiment fig13 teapot.obj dragon.obj\n"
+               "Pictures, data and index.html, which shows all experiments made so far, go to the\n"
+               "folder 'figures' or what --out says.\n";
 }
 
 class Runner {
@@ -86,8 +85,7 @@ int experiment(const ExperimentOptions& options, const std::string& command_line
   }
   std::optional<tbb::global_control> limit;
   if (options.threads > 0)
-    limit.emplace(tbb::global_control::max_allowed_parallelism,
-                  static_cast<std::size_t>(options.threads));
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
 
   Runner runner(options, command_line);
   int status = 0;
@@ -95,10 +93,8 @@ int experiment(const ExperimentOptions& options, const std::string& command_line
     const Spec spec = Spec::parse(options.spec);
     status = runner.run(find_experiment(spec.name), spec.settings);
   } else {
-    if (!options.meshes.empty())
-      throw ParameterError("'all' takes no meshes; give them to one experiment at a time");
-    for (const Experiment& one : experiments())
-      status = std::max(status, runner.run(one, Json::object()));
+    if (!options.meshes.empty()) throw ParameterError("'all' takes no meshes; give them to one experiment at a time");
+    for (const Experiment& one : experiments()) status = std::max(status, runner.run(one, Json::object()));
   }
   std::cout << options.out << "/index.html\n";
   return status;
@@ -116,15 +112,11 @@ void add_experiment_command(CLI::App& app, int& status, int argc, const char* co
                       "Mesh files, folders of them, built-in shapes (shape:NAME?key=value), for "
                       "experiments that take meshes; without, they make their own");
   command->add_option("-O,--out", options->out, "Folder for everything")->capture_default_str();
-  command->add_option("-s,--seed", options->seed, "Seed of everything random")
-      ->capture_default_str();
+  command->add_option("-s,--seed", options->seed, "Seed of everything random")->capture_default_str();
   command->add_option("-g,--gap", options->gap, "Width to which R is certified (default: 1e-6)")
       ->check(CLI::NonNegativeNumber);
-  command->add_flag("-q,--quick", options->quick,
-                    "Small: about a second for each experiment, and a gap of 1e-3");
-  command
-      ->add_option("-t,--threads", options->threads,
-                   "Threads (default: all); the answer is the same for any")
+  command->add_flag("-q,--quick", options->quick, "Small: about a second for each experiment, and a gap of 1e-3");
+  command->add_option("-t,--threads", options->threads, "Threads (default: all); the answer is the same for any")
       ->check(CLI::PositiveNumber);
   command->footer(
       "Every R is certified. OUT/NAME.json holds all numbers; each picture has a CSV file beside "
@@ -135,9 +127,7 @@ void add_experiment_command(CLI::App& app, int& status, int argc, const char* co
       "Examples: rectilin experiment\n"
       "          rectilin experiment all\n"
       "          rectilin experiment 'fig15?steps=1000' --out pyramids");
-  command->callback([options, &status, argc, argv] {
-    status = experiment(*options, quoted_command_line(argc, argv));
-  });
+  command->callback([options, &status, argc, argv] { status = experiment(*options, quoted_command_line(argc, argv)); });
 }
 
 }  // namespace rectilin::app

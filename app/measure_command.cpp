@@ -60,7 +60,8 @@ int measure(const MeasureOptions& options) {
   std::vector<std::string> given;
   for (const std::string& source : options.sources) {
     if (source != "-") given.push_back(source);
-    else for (const std::string& line : lines_of(std::cin)) given.push_back(line);
+    else
+      for (const std::string& line : lines_of(std::cin)) given.push_back(line);
   }
   const std::vector<std::string> sources = expand_folders(given);
   if (sources.empty()) throw MeshError("the list of files is empty");
@@ -82,15 +83,17 @@ int measure(const MeasureOptions& options) {
                                             if (next == sources.size() || settings.stop.stop_requested()) flow.stop();
                                             return next++;
                                           }) &
-          tbb::make_filter<std::size_t, std::shared_ptr<Row>>(
-              tbb::filter_mode::parallel,
-              [&](std::size_t i) {
-                auto row = std::make_shared<Row>();
-                tbb::this_task_arena::isolate([&] { *row = measure_source(sources[i], *optimizer, settings, options.proof); });
-                return row;
-              }) &
-          tbb::make_filter<std::shared_ptr<Row>, void>(
-              tbb::filter_mode::serial_in_order, [&](const std::shared_ptr<Row>& row) { printer.print(*row); }));
+          tbb::make_filter<std::size_t, std::shared_ptr<Row>>(tbb::filter_mode::parallel,
+                                                              [&](std::size_t i) {
+                                                                auto row = std::make_shared<Row>();
+                                                                tbb::this_task_arena::isolate([&] {
+                                                                  *row = measure_source(sources[i], *optimizer,
+                                                                                        settings, options.proof);
+                                                                });
+                                                                return row;
+                                                              }) &
+          tbb::make_filter<std::shared_ptr<Row>, void>(tbb::filter_mode::serial_in_order,
+                                                       [&](const std::shared_ptr<Row>& row) { printer.print(*row); }));
   return printer.failed() > 0 || settings.stop.stop_requested() ? 1 : 0;
 }
 
@@ -99,21 +102,24 @@ int measure(const MeasureOptions& options) {
 void add_measure_command(CLI::App& app, int& status) {
   auto options = std::make_shared<MeasureOptions>();
   CLI::App* command = app.add_subcommand("measure", "Measure R(M) and the pose of meshes");
-  command->add_option("source", options->sources,
-                      "Mesh files (.off .obj .ply .stl), folders of them, built-in shapes (shape:NAME?key=value, "
-                      "see 'rectilin shapes'), or - for a list on standard input")
+  command
+      ->add_option("source", options->sources,
+                   "Mesh files (.off .obj .ply .stl), folders of them, built-in shapes (shape:NAME?key=value, "
+                   "see 'rectilin shapes'), or - for a list on standard input")
       ->required();
-  command->add_option("-o,--optimizer", options->optimizer,
-                      "Optimizer, with parameters: ga?population=100 (see 'rectilin optimizers')")
+  command
+      ->add_option("-o,--optimizer", options->optimizer,
+                   "Optimizer, with parameters: ga?population=100 (see 'rectilin optimizers')")
       ->capture_default_str();
   command->add_option("-g,--gap", options->gap, "Width to which certify encloses R (default: 1e-6)")
       ->check(CLI::NonNegativeNumber);
   command->add_option("-p,--proof", options->proof,
                       "File for a proof of the bounds, one mesh; 'rectilin verify' checks it");
   command->add_flag("--optima", options->optima, "Find all poses within the gap (shown with --json)");
-  command->add_option("-d,--domain", options->domain,
-                      "Box that optimizers on a chart search: paper ([0,90]^3 degrees, three quarters of all "
-                      "orientations), covering ([0,180]x[0,90]^2, all), zone (Rodrigues cube, all)")
+  command
+      ->add_option("-d,--domain", options->domain,
+                   "Box that optimizers on a chart search: paper ([0,90]^3 degrees, three quarters of all "
+                   "orientations), covering ([0,180]x[0,90]^2, all), zone (Rodrigues cube, all)")
       ->check(CLI::IsMember({"paper", "covering", "zone"}))
       ->capture_default_str();
   command->add_option("-s,--seed", options->seed, "Seed of the random numbers")->capture_default_str();

@@ -21,9 +21,12 @@ Json to_json(const MeshReport& r) {
 
 const char* to_string(Optimum::Kind kind) {
   switch (kind) {
-    case Optimum::Kind::kPoint: return "point";
-    case Optimum::Kind::kContinuum: return "continuum";
-    case Optimum::Kind::kPossible: return "possible";
+    case Optimum::Kind::kPoint:
+      return "point";
+    case Optimum::Kind::kContinuum:
+      return "continuum";
+    case Optimum::Kind::kPossible:
+      return "possible";
   }
   return "";
 }
@@ -50,8 +53,8 @@ Json to_json(const Row& row) {
                {"upper", certified ? Json(rectilinearity(*run.lower)) : Json(nullptr)},
                {"rotation", rectilin::to_json(run.incumbent.rotation)}};
   const Json details = rectilin::to_json(run);
-  for (const char* key : {"optimizer", "parameters", "domain", "seed", "outcome", "evaluations", "values",
-                          "cuts", "smooths", "turns", "seconds", "cpu_seconds", "threads", "digest"})
+  for (const char* key : {"optimizer", "parameters", "domain", "seed", "outcome", "evaluations", "values", "cuts",
+                          "smooths", "turns", "seconds", "cpu_seconds", "threads", "digest"})
     line[key] = details[key];
   if (row.certified) {
     line["cells"] = row.certified->cells;
@@ -65,16 +68,24 @@ Json to_json(const Row& row) {
 std::vector<Table::Column> columns(const std::vector<std::string>& sources) {
   std::size_t widest = 0;
   for (const auto& s : sources) widest = std::max(widest, s.size());
-  return {{"name", widest}, {"faces", 8}, {"directions", 8}, {"area", 11}, {"R", 12}, {"at most", 12},
-          {"alpha", 8}, {"beta", 8}, {"gamma", 8}, {"optimizer", 9}, {"evaluations", 8}, {"seconds", 8}};
+  return {{"name", widest}, {"faces", 8}, {"directions", 8}, {"area", 11},     {"R", 12},          {"at most", 12},
+          {"alpha", 8},     {"beta", 8},  {"gamma", 8},      {"optimizer", 9}, {"evaluations", 8}, {"seconds", 8}};
 }
 
 std::vector<std::string> cells(const Row& row) {
-  const Eigen::Vector3d degrees =
-      euler_from_rotation(row.run.incumbent.rotation) * (180 / std::numbers::pi);
-  return {row.name, std::to_string(row.faces), std::to_string(row.directions), general(row.area, 6),
-          fixed(row.run.merit, 10), row.run.lower ? fixed(rectilinearity(*row.run.lower), 10) : "-", fixed(degrees[0], 3), fixed(degrees[1], 3), fixed(degrees[2], 3),
-          row.run.optimizer, std::to_string(row.run.costs.evaluations()), fixed(row.run.seconds, 3)};
+  const Eigen::Vector3d degrees = euler_from_rotation(row.run.incumbent.rotation) * (180 / std::numbers::pi);
+  return {row.name,
+          std::to_string(row.faces),
+          std::to_string(row.directions),
+          general(row.area, 6),
+          fixed(row.run.merit, 10),
+          row.run.lower ? fixed(rectilinearity(*row.run.lower), 10) : "-",
+          fixed(degrees[0], 3),
+          fixed(degrees[1], 3),
+          fixed(degrees[2], 3),
+          row.run.optimizer,
+          std::to_string(row.run.costs.evaluations()),
+          fixed(row.run.seconds, 3)};
 }
 
 }  // namespace

@@ -29,8 +29,7 @@ struct ValidateOptions {
 std::string write_counterexample(const ClaimResult& result, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   const std::string mesh = (folder / (result.claim->id + ".off")).string();
-  write_mesh(mesh,
-             result.decisive.mesh ? *result.decisive.mesh : load_mesh(result.decisive.where).mesh);
+  write_mesh(mesh, result.decisive.mesh ? *result.decisive.mesh : load_mesh(result.decisive.where).mesh);
   const Eigen::Vector3d angles = euler_from_rotation(result.decisive.rotation);
   const std::string file = (folder / (result.claim->id + ".json")).string();
   std::ofstream out(file);
@@ -48,8 +47,7 @@ std::string write_counterexample(const ClaimResult& result, const std::filesyste
 
 /// A claim about rotations or angles alone has no mesh to show.
 bool has_mesh(const Finding& finding) {
-  return finding.mesh || finding.where.starts_with("shape:") ||
-         std::filesystem::exists(finding.where);
+  return finding.mesh || finding.where.starts_with("shape:") || std::filesystem::exists(finding.where);
 }
 
 Json to_json(const ClaimResult& result, const std::string& mesh) {
@@ -84,8 +82,7 @@ void print_table(const Validation& validation) {
   for (const ClaimResult& result : validation.results) {
     const bool tested = result.tested > 0;
     std::cout << table.row({result.claim->id, result.claim->should_hold ? "holds" : "fails",
-                            std::string(to_string(result.verdict)),
-                            tested ? general(result.decisive.margin, 4) : "-",
+                            std::string(to_string(result.verdict)), tested ? general(result.decisive.margin, 4) : "-",
                             general(result.claim->tolerance, 2), std::to_string(result.tested),
                             std::to_string(result.failed)})
               << "  " << result.decisive.where;
@@ -96,35 +93,28 @@ void print_table(const Validation& validation) {
 
 void print_list() {
   for (const Claim& claim : claims()) {
-    std::cout << claim.id << "  [" << claim.source << "]\n    " << claim.statement
-              << "\n    Tested: " << claim.test
+    std::cout << claim.id << "  [" << claim.source << "]\n    " << claim.statement << "\n    Tested: " << claim.test
               << "\n    Tolerance: " << general(claim.tolerance, 2) << " (" << claim.why << ")\n";
-    if (!claim.should_hold)
-      std::cout << "    Expected to fail. " << claim.remark << '\n';
-    else if (!claim.remark.empty())
-      std::cout << "    " << claim.remark << '\n';
+    if (!claim.should_hold) std::cout << "    Expected to fail. " << claim.remark << '\n';
+    else if (!claim.remark.empty()) std::cout << "    " << claim.remark << '\n';
   }
 }
 
 int run_validation(ValidateOptions options) {
   if (options.list || options.markdown) {
-    if (options.markdown)
-      std::cout << claims_markdown();
-    else
-      print_list();
+    if (options.markdown) std::cout << claims_markdown();
+    else print_list();
     return 0;
   }
   std::optional<tbb::global_control> limit;
   if (options.threads > 0)
-    limit.emplace(tbb::global_control::max_allowed_parallelism,
-                  static_cast<std::size_t>(options.threads));
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
 
   Validation validation;
   {
     std::unique_ptr<Progress> progress;
     options.settings.stop = stop_on_interrupt();
-    options.settings.on_progress = [&](std::size_t done, std::size_t total,
-                                       const std::string& what) {
+    options.settings.on_progress = [&](std::size_t done, std::size_t total, const std::string& what) {
       if (!progress) progress = std::make_unique<Progress>(total);
       progress->show(done, what);
     };
@@ -143,10 +133,8 @@ int run_validation(ValidateOptions options) {
     list.push_back(to_json(result, mesh));
   }
   for (const std::string& error : errors) complain(error);
-  if (options.json)
-    std::cout << list.dump(2) << '\n';
-  else
-    print_table(validation);
+  if (options.json) std::cout << list.dump(2) << '\n';
+  else print_table(validation);
 
   for (const ClaimResult& result : validation.results)
     if (result.claim->should_hold && result.verdict == ClaimVerdict::kFails)
@@ -160,29 +148,22 @@ int run_validation(ValidateOptions options) {
 void add_validate_command(CLI::App& app, int& status) {
   auto options = std::make_shared<ValidateOptions>();
   CLI::App* command = app.add_subcommand("validate", "Test the paper's claims");
-  command->add_option(
-      "source", options->sources,
-      "Mesh files, folders of them, built-in shapes (shape:NAME?key=value). Default: some shapes");
-  command
-      ->add_option("-c,--claims", options->settings.claims,
-                   "Claims to test, separated by commas. Default: all")
+  command->add_option("source", options->sources,
+                      "Mesh files, folders of them, built-in shapes (shape:NAME?key=value). Default: some shapes");
+  command->add_option("-c,--claims", options->settings.claims, "Claims to test, separated by commas. Default: all")
       ->delimiter(',')
       ->allow_extra_args(false);
   command->add_option("-s,--seed", options->settings.seed, "Seed of the random rotations and runs")
       ->capture_default_str();
   command
-      ->add_option("-O,--out", options->out,
-                   "Folder for counterexamples, made if there are any: a mesh and a rotation")
+      ->add_option("-O,--out", options->out, "Folder for counterexamples, made if there are any: a mesh and a rotation")
       ->capture_default_str();
-  command
-      ->add_option("-t,--threads", options->threads,
-                   "Threads (default: all); the verdicts are the same for any")
+  command->add_option("-t,--threads", options->threads, "Threads (default: all); the verdicts are the same for any")
       ->check(CLI::PositiveNumber);
   command->add_flag("-j,--json", options->json, "A list of JSON objects instead of the table");
   command->add_flag("-m,--markdown", options->markdown,
                     "Print the ledger of claims as a table in Markdown; test nothing");
-  command->add_flag("-l,--list", options->list,
-                    "Print the claims and how they are tested; test nothing");
+  command->add_flag("-l,--list", options->list, "Print the claims and how they are tested; test nothing");
   command->footer(
       "A margin is the room between what was seen and what the claim allows. A claim holds if the "
       "worst margin\n"

@@ -14,9 +14,7 @@
 namespace rectilin::bench {
 namespace {
 
-const char* name(Precision precision) {
-  return precision == Precision::kSingle ? "single" : "double";
-}
+const char* name(Precision precision) { return precision == Precision::kSingle ? "single" : "double"; }
 
 double face_bytes(Precision precision) { return precision == Precision::kSingle ? 12 : 24; }
 
@@ -24,8 +22,7 @@ void naive(benchmark::State& state, std::size_t faces) {
   const AreaVectors& vectors = smooth_vectors(faces);
   Directions directions(random_directions(64), 1);
   for (auto _ : state) benchmark::DoNotOptimize(naive_value(vectors, directions.next()[0]));
-  const double pairs =
-      static_cast<double>(state.iterations()) * static_cast<double>(vectors.size());
+  const double pairs = static_cast<double>(state.iterations()) * static_cast<double>(vectors.size());
   state.counters["pairs/s"] = rate(pairs);
   state.counters["face_rotations/s"] = rate(pairs / 3);
   state.SetComplexityN(static_cast<std::int64_t>(vectors.size()));
@@ -72,8 +69,8 @@ void flat(benchmark::State& state, const FlatCase& which) {
 void read_parts(const AreaVectors& vectors, std::size_t size, std::size_t parts) {
   tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t i) {
     const std::size_t begin = i * size / parts, end = (i + 1) * size / parts;
-    benchmark::DoNotOptimize(read_arrays(vectors.x.data() + begin, vectors.y.data() + begin,
-                                         vectors.z.data() + begin, end - begin));
+    benchmark::DoNotOptimize(
+        read_arrays(vectors.x.data() + begin, vectors.y.data() + begin, vectors.z.data() + begin, end - begin));
   });
 }
 
@@ -110,8 +107,7 @@ void speedup(benchmark::State& state, const Work& work) {
   std::array<tbb::task_arena, 2> arenas = {tbb::task_arena(1), tbb::task_arena(2)};
   std::array<Stopwatch, 2> watches = {Stopwatch(wall_seconds), Stopwatch(wall_seconds)};
   for (auto _ : state)
-    for (const std::size_t i : {0, 1})
-      watches[i].time([&] { arenas[i].execute([&] { work(i + 1); }); });
+    for (const std::size_t i : {0, 1}) watches[i].time([&] { arenas[i].execute([&] { work(i + 1); }); });
   state.counters["speedup"] = watches[0].least() / watches[1].least();
 }
 
@@ -125,9 +121,7 @@ void flat_speedup(benchmark::State& state, std::size_t faces, std::size_t count)
 /// What two threads can gain at most where arithmetic counts, and where memory does.
 void register_speedup(benchmark::State& state, RegisterLoop loop) {
   constexpr std::size_t kParts = 64, kRounds = 4096;
-  speedup(state, [&](std::size_t) {
-    tbb::parallel_for(std::size_t{0}, kParts, [&](std::size_t) { loop(kRounds); });
-  });
+  speedup(state, [&](std::size_t) { tbb::parallel_for(std::size_t{0}, kParts, [&](std::size_t) { loop(kRounds); }); });
 }
 void reading_speedup(benchmark::State& state, std::size_t faces) {
   const AreaVectors& vectors = smooth_vectors(faces);
@@ -141,9 +135,8 @@ void registers(benchmark::State& state, RegisterLoop loop) {
 }
 
 void add_flat(const FlatCase& which) {
-  const std::string path = "flat/" + which.target + "/" + name(which.precision) +
-                           pair("directions", which.directions) + pair("faces", which.faces) +
-                           pair("threads", static_cast<std::size_t>(which.threads));
+  const std::string path = "flat/" + which.target + "/" + name(which.precision) + pair("directions", which.directions) +
+                           pair("faces", which.faces) + pair("threads", static_cast<std::size_t>(which.threads));
   benchmark::RegisterBenchmark(path.c_str(), flat, which)->UseManualTime();
 }
 
@@ -155,39 +148,31 @@ void register_kernel_benchmarks() {
   for (const std::string& target : targets)
     for (const Precision precision : kPrecisions)
       if (const RegisterLoop loop = register_loop(target, precision))
-        benchmark::RegisterBenchmark(("registers/" + target + "/" + name(precision)).c_str(),
-                                     registers, loop);
+        benchmark::RegisterBenchmark(("registers/" + target + "/" + name(precision)).c_str(), registers, loop);
 
   for (const std::size_t faces : {1000u, 10'000u, 100'000u, 1'000'000u, 10'000'000u}) {
     benchmark::RegisterBenchmark(("naive" + pair("faces", faces)).c_str(), naive, faces);
     for (const std::string& target : targets)
       for (const Precision precision : kPrecisions)
         for (const std::size_t directions : {1u, 3u, 24u, 150u})
-          for (const int thread_count : {1, 2})
-            add_flat({target, precision, faces, directions, thread_count});
+          for (const int thread_count : {1, 2}) add_flat({target, precision, faces, directions, thread_count});
     for (const Precision precision : kPrecisions)
       for (const int thread_count : {1, 2})
-        benchmark::RegisterBenchmark(
-            (std::string("bandwidth/") + name(precision) + pair("faces", faces) +
-             pair("threads", static_cast<std::size_t>(thread_count)))
-                .c_str(),
-            bandwidth, faces, precision, thread_count)
+        benchmark::RegisterBenchmark((std::string("bandwidth/") + name(precision) + pair("faces", faces) +
+                                      pair("threads", static_cast<std::size_t>(thread_count)))
+                                         .c_str(),
+                                     bandwidth, faces, precision, thread_count)
             ->UseManualTime();
   }
 
   const std::string best = targets.front();
   if (const RegisterLoop loop = register_loop(best, Precision::kDouble))
     benchmark::RegisterBenchmark("speedup/registers", register_speedup, loop)->UseRealTime();
-  benchmark::RegisterBenchmark("speedup/reading/faces:10000000", reading_speedup, 10'000'000)
-      ->UseRealTime();
-  for (const auto& [faces, directions] : {std::pair{10'000u, 1500u},
-                                          {100'000u, 150u},
-                                          {1'000'000u, 150u},
-                                          {10'000'000u, 150u},
-                                          {10'000'000u, 3u}})
-    benchmark::RegisterBenchmark(
-        ("speedup" + pair("directions", directions) + pair("faces", faces)).c_str(), flat_speedup,
-        faces, directions)
+  benchmark::RegisterBenchmark("speedup/reading/faces:10000000", reading_speedup, 10'000'000)->UseRealTime();
+  for (const auto& [faces, directions] :
+       {std::pair{10'000u, 1500u}, {100'000u, 150u}, {1'000'000u, 150u}, {10'000'000u, 150u}, {10'000'000u, 3u}})
+    benchmark::RegisterBenchmark(("speedup" + pair("directions", directions) + pair("faces", faces)).c_str(),
+                                 flat_speedup, faces, directions)
         ->UseRealTime();
 
   // The claim that the flat sum's time grows like N, at one number of directions.

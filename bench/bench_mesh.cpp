@@ -16,8 +16,7 @@ namespace fs = std::filesystem;
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& extension)
-      : path_(fs::temp_directory_path() /
-              ("rectilin-bench-" + std::to_string(getpid()) + extension)) {}
+      : path_(fs::temp_directory_path() / ("rectilin-bench-" + std::to_string(getpid()) + extension)) {}
   ~TemporaryFile() {
     std::error_code ignored;
     fs::remove(path_, ignored);
@@ -30,8 +29,7 @@ class TemporaryFile {
   fs::path path_;
 };
 
-void reading(benchmark::State& state, const std::string& extension, bool binary,
-             std::size_t faces) {
+void reading(benchmark::State& state, const std::string& extension, bool binary, std::size_t faces) {
   const TemporaryFile file(extension);
   write_mesh(file.path(), smooth_mesh(faces), {.binary = binary});
   std::size_t triangles = 0;
@@ -58,20 +56,17 @@ void register_mesh_benchmarks() {
   };
   constexpr std::size_t kFaces = 200'000;
   for (const Format& format :
-       {Format{"off", ".off", false}, Format{"obj", ".obj", false},
-        Format{"ply_text", ".ply", false}, Format{"ply_binary", ".ply", true},
-        Format{"stl_text", ".stl", false}, Format{"stl_binary", ".stl", true}})
-    benchmark::RegisterBenchmark(
-        (std::string("read/") + format.name + pair("faces", kFaces)).c_str(), reading,
-        format.extension, format.binary, kFaces)
+       {Format{"off", ".off", false}, Format{"obj", ".obj", false}, Format{"ply_text", ".ply", false},
+        Format{"ply_binary", ".ply", true}, Format{"stl_text", ".stl", false}, Format{"stl_binary", ".stl", true}})
+    benchmark::RegisterBenchmark((std::string("read/") + format.name + pair("faces", kFaces)).c_str(), reading,
+                                 format.extension, format.binary, kFaces)
         ->UseRealTime()
         ->Unit(benchmark::kMillisecond);
   for (const std::size_t faces : {10'000u, 1'000'000u})
     for (const int thread_count : {1, 2})
-      benchmark::RegisterBenchmark(("area_vectors" + pair("faces", faces) +
-                                    pair("threads", static_cast<std::size_t>(thread_count)))
-                                       .c_str(),
-                                   measuring, faces, thread_count)
+      benchmark::RegisterBenchmark(
+          ("area_vectors" + pair("faces", faces) + pair("threads", static_cast<std::size_t>(thread_count))).c_str(),
+          measuring, faces, thread_count)
           ->UseRealTime()
           ->Unit(benchmark::kMillisecond);
 }

@@ -57,14 +57,10 @@ Prices measure(const ProjectedArea& objective) {
   std::array<double, kBatch> values;
   std::array<Cut, kBatch> cuts;
   const auto value = [&](std::size_t count) {
-    return seconds_per_call([&](int i) {
-      objective.values({&rotations[i], count}, {values.data(), count});
-    });
+    return seconds_per_call([&](int i) { objective.values({&rotations[i], count}, {values.data(), count}); });
   };
   const auto cut = [&](std::size_t count) {
-    return seconds_per_call([&](int i) {
-      objective.cuts({&rotations[i], count}, {cuts.data(), count});
-    });
+    return seconds_per_call([&](int i) { objective.cuts({&rotations[i], count}, {cuts.data(), count}); });
   };
   Rotation at;
   const double one = value(1), batch = value(kBatch);
@@ -93,8 +89,7 @@ void print(const std::array<double, 5>& ratios) {
 
 /// About so many faces.
 std::string filleted_cube(double faces) {
-  return "filleted-cube?rotate=random&segments=" +
-         std::to_string(std::lround(std::sqrt(faces / 48) - 0.5));
+  return "filleted-cube?rotate=random&segments=" + std::to_string(std::lround(std::sqrt(faces / 48) - 0.5));
 }
 std::string blob(double faces) { return "blob?faces=" + std::to_string(std::lround(faces)); }
 
@@ -109,8 +104,8 @@ void table() {
       const std::string spec = make(faces);
       const ProjectedArea objective(area_vectors(make_shape(Spec::parse(spec))));
       const Prices prices = measure(objective);
-      std::printf("| %s | %zu | %zu | %.2f us |", spec.substr(0, spec.find('?')).c_str(),
-                  objective.vectors().faces, objective.vectors().size(), 1e6 * prices.value);
+      std::printf("| %s | %zu | %zu | %.2f us |", spec.substr(0, spec.find('?')).c_str(), objective.vectors().faces,
+                  objective.vectors().size(), 1e6 * prices.value);
       print(prices.ratios);
       if (faces < kUsualLeast || faces > kUsualMost) continue;
       for (std::size_t i = 0; i < usual.size(); ++i) usual[i].add(prices.ratios[i]);

@@ -1,5 +1,5 @@
-// What a proof of the optimum costs in units of the paper's guess: certify, to a gap of 1e-6, over its genetic algorithm,
-// 10,000 evaluations on the fastest flat sum. Both on one thread, in turns, on the same meshes.
+// What a proof of the optimum costs in units of the paper's guess: certify, to a gap of 1e-6, over its genetic
+// algorithm, 10,000 evaluations on the fastest flat sum. Both on one thread, in turns, on the same meshes.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>

@@ -18,8 +18,7 @@ std::unique_ptr<Objective> projected_area(const AreaVectors& vectors) {
   return std::make_unique<ProjectedArea>(vectors, "mesh", kEvaluation, kPrecision);
 }
 
-void search(benchmark::State& state, const std::string& optimizer, MakeObjective make,
-            std::size_t faces) {
+void search(benchmark::State& state, const std::string& optimizer, MakeObjective make, std::size_t faces) {
   std::unique_ptr<Optimizer> search;
   try {
     search = builtin_optimizers().make(optimizer);
@@ -38,18 +37,14 @@ void search(benchmark::State& state, const std::string& optimizer, MakeObjective
 
 void register_search_benchmarks() {
   const std::pair<const char*, MakeObjective> objectives[] = {
-      {"naive",
-       [](const AreaVectors& v) -> std::unique_ptr<Objective> {
-         return std::make_unique<NaiveArea>(v);
-       }},
+      {"naive", [](const AreaVectors& v) -> std::unique_ptr<Objective> { return std::make_unique<NaiveArea>(v); }},
       {"flat_double", projected_area<Evaluation::kFlat, Precision::kDouble>},
       {"flat_single", projected_area<Evaluation::kFlat, Precision::kSingle>},
       {"tree", projected_area<Evaluation::kTree, Precision::kDouble>},
       {"auto", projected_area<Evaluation::kAuto, Precision::kDouble>}};
-  const auto add = [](const std::string& optimizer, const std::string& kind, MakeObjective make,
-                      std::size_t faces) {
-    benchmark::RegisterBenchmark((optimizer + "/" + kind + pair("faces", faces)).c_str(), search,
-                                 optimizer, make, faces)
+  const auto add = [](const std::string& optimizer, const std::string& kind, MakeObjective make, std::size_t faces) {
+    benchmark::RegisterBenchmark((optimizer + "/" + kind + pair("faces", faces)).c_str(), search, optimizer, make,
+                                 faces)
         ->UseRealTime()
         ->Unit(benchmark::kMillisecond);
   };

@@ -46,8 +46,7 @@ void chain(benchmark::State& state, std::size_t faces, int thread_count) {
 
 /// The largest relative error of the first sums, against long double; of those that vanish, relative
 /// to a thousandth of the area.
-double largest_error(const AreaVectors& vectors, std::span<const Vector3> u,
-                     std::span<const double> h) {
+double largest_error(const AreaVectors& vectors, std::span<const Vector3> u, std::span<const double> h) {
   constexpr std::size_t kChecked = 3;
   double largest = 0;
   for (std::size_t k = 0; k < std::min(kChecked, u.size()); ++k) {
@@ -67,8 +66,8 @@ enum class Query { kValues, kCuts };
 /// Batches of directions through the tree, and some of them through the flat sum in between: a
 /// search asks only the tree, and what the flat sum drives out of the caches is not to count.
 /// `coarse` is the tree's resolution.
-void query(benchmark::State& state, const AreaVectors& vectors, const std::vector<Vector3>& all,
-           std::size_t batch, Query what, double coarse) {
+void query(benchmark::State& state, const AreaVectors& vectors, const std::vector<Vector3>& all, std::size_t batch,
+           Query what, double coarse) {
   const auto limit = threads(1);
   const FlatSum flat(vectors);
   const NormalTree tree(vectors);
@@ -80,10 +79,9 @@ void query(benchmark::State& state, const AreaVectors& vectors, const std::vecto
   std::size_t turn = 0;
   for (auto _ : state) {
     const auto u = directions.next();
-    if (turn++ % kFlatEvery == 0)
-      summing.time([&] { what == Query::kValues ? flat.values(u, h) : flat.cuts(u, g); });
-    state.SetIterationTime(walking.time(
-        [&] { what == Query::kValues ? tree.values(u, h, coarse) : tree.cuts(u, g, coarse); }));
+    if (turn++ % kFlatEvery == 0) summing.time([&] { what == Query::kValues ? flat.values(u, h) : flat.cuts(u, g); });
+    state.SetIterationTime(
+        walking.time([&] { what == Query::kValues ? tree.values(u, h, coarse) : tree.cuts(u, g, coarse); }));
   }
   const auto asked = static_cast<double>(batch);
   state.counters["seconds_per_direction"] = walking.median() / asked;
@@ -118,23 +116,18 @@ void add_queries(std::size_t faces) {
 
 /// Directions across which all vectors lie, where a tree gains nothing.
 void worst(benchmark::State& state, std::size_t faces) {
-  query(state, cylinder_vectors(faces), std::vector<Vector3>(kBatch, cylinder_axis()), kBatch,
-        Query::kValues, 0);
+  query(state, cylinder_vectors(faces), std::vector<Vector3>(kBatch, cylinder_axis()), kBatch, Query::kValues, 0);
 }
 
 }  // namespace
 
 void register_tree_benchmarks() {
-  for (const std::size_t faces :
-       {1000u, 10'000u, 30'000u, 100'000u, 300'000u, 1'000'000u, 3'000'000u, 10'000'000u}) {
+  for (const std::size_t faces : {1000u, 10'000u, 30'000u, 100'000u, 300'000u, 1'000'000u, 3'000'000u, 10'000'000u}) {
     add_queries(faces);
     for (const int thread_count : {1, 2}) {
-      const std::string size =
-          pair("faces", faces) + pair("threads", static_cast<std::size_t>(thread_count));
-      benchmark::RegisterBenchmark(("build" + size).c_str(), build, faces, thread_count)
-          ->UseRealTime();
-      benchmark::RegisterBenchmark(("chain" + size).c_str(), chain, faces, thread_count)
-          ->UseRealTime();
+      const std::string size = pair("faces", faces) + pair("threads", static_cast<std::size_t>(thread_count));
+      benchmark::RegisterBenchmark(("build" + size).c_str(), build, faces, thread_count)->UseRealTime();
+      benchmark::RegisterBenchmark(("chain" + size).c_str(), chain, faces, thread_count)->UseRealTime();
     }
   }
   for (const std::size_t faces : {30'000u, 100'000u, 1'000'000u})
@@ -142,8 +135,8 @@ void register_tree_benchmarks() {
   benchmark::RegisterBenchmark("complexity/tree",
                                [](benchmark::State& state) {
                                  const auto faces = static_cast<std::size_t>(state.range(0));
-                                 query(state, smooth_vectors(faces), random_directions(6000),
-                                       kBatch, Query::kValues, 0);
+                                 query(state, smooth_vectors(faces), random_directions(6000), kBatch, Query::kValues,
+                                       0);
                                })
       ->RangeMultiplier(10)
       ->Range(10'000, 10'000'000)

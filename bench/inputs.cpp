@@ -8,9 +8,7 @@
 
 namespace rectilin::bench {
 
-Mesh smooth_mesh(std::size_t faces) {
-  return make_shape(Spec::parse("blob?faces=" + std::to_string(faces)));
-}
+Mesh smooth_mesh(std::size_t faces) { return make_shape(Spec::parse("blob?faces=" + std::to_string(faces))); }
 
 const AreaVectors& smooth_vectors(std::size_t faces) {
   static std::size_t held = 0;
@@ -49,8 +47,7 @@ std::vector<Vector3> local_directions(std::size_t count, std::size_t group, doub
     const Rotation centre = random_rotation(random);
     for (std::size_t k = 0; k < group; ++k) {
       const Vector3 turn(random.normal(), random.normal(), random.normal());
-      result.push_back(
-          (rotation_from_vector(radius * turn) * centre).axis(static_cast<int>(k % 3)));
+      result.push_back((rotation_from_vector(radius * turn) * centre).axis(static_cast<int>(k % 3)));
     }
   }
   return result;

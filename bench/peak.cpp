@@ -63,8 +63,7 @@ using Line = double __attribute__((vector_size(64)));
 
 }  // namespace
 
-RegisterLoop register_loop([[maybe_unused]] const std::string& target,
-                           [[maybe_unused]] Precision precision) {
+RegisterLoop register_loop([[maybe_unused]] const std::string& target, [[maybe_unused]] Precision precision) {
 #if defined(__x86_64__)
   const bool single = precision == Precision::kSingle;
   if (target.starts_with("AVX3")) return single ? single512 : double512;

@@ -45,13 +45,12 @@ std::string comparison(const Results& now, const Results& then) {
   std::string text = "| benchmark | then | now | ratio |\n| --- | --- | --- | --- |\n";
   for (const Result& result : now.all())
     if (const Result* old = then.find(result.name); old != nullptr && old->seconds > 0)
-      text += "| `" + result.name + "` | " + duration(old->seconds) + " | " +
-              duration(result.seconds) + " | " + number(result.seconds / old->seconds) + " |\n";
+      text += "| `" + result.name + "` | " + duration(old->seconds) + " | " + duration(result.seconds) + " | " +
+              number(result.seconds / old->seconds) + " |\n";
   return text;
 }
 
-void report(const std::filesystem::path& file, const std::filesystem::path& folder,
-            const char* earlier) {
+void report(const std::filesystem::path& file, const std::filesystem::path& folder, const char* earlier) {
   const Results results(file);
   std::filesystem::create_directories(folder);
   const std::string ratios = summary(results).dump(2) + "\n";

@@ -10,8 +10,7 @@ namespace {
 /// Columns of different lengths side by side: each curve has its own x and y.
 class Curves {
  public:
-  void add(std::vector<Point> points, const std::string& label, LineStyle style,
-           bool faint = false) {
+  void add(std::vector<Point> points, const std::string& label, LineStyle style, bool faint = false) {
     if (points.empty()) return;
     const int x = 1 + 2 * static_cast<int>(columns_.size());
     curves_.push_back({.x = x, .y = x + 1, .label = label, .style = style, .faint = faint});
@@ -38,9 +37,7 @@ class Curves {
       }
       csv.row(cells);
     }
-    Figure(
-        title, csv,
-        {Panel{.title = "", .x = std::move(x), .y = std::move(y), .bands = {}, .curves = curves_}})
+    Figure(title, csv, {Panel{.title = "", .x = std::move(x), .y = std::move(y), .bands = {}, .curves = curves_}})
         .write(folder, name);
     rectilin::draw(folder, name);
   }
@@ -65,17 +62,14 @@ std::string best_target(const Results& results) {
 
 void draw_time(const Results& results, const std::filesystem::path& folder) {
   Curves curves;
-  const auto add = [&](std::vector<Point> points, double calls, const char* label,
-                       LineStyle style) {
+  const auto add = [&](std::vector<Point> points, double calls, const char* label, LineStyle style) {
     for (Point& p : points) p.time *= 1e6 / calls;
     if (points.size() > 1) curves.add(points, with_exponent(label, points), style);
   };
   const std::string flat = "flat/" + best_target(results);
   add(results.series("naive/"), 1, "naive loop", {.colour = 1});
-  add(results.series(flat + "/double/directions:150/", "/threads:1"), 150, "flat double",
-      {.colour = 0});
-  add(results.series(flat + "/single/directions:150/", "/threads:1"), 150, "flat single",
-      {.colour = 0, .dash = 1});
+  add(results.series(flat + "/double/directions:150/", "/threads:1"), 150, "flat double", {.colour = 0});
+  add(results.series(flat + "/single/directions:150/", "/threads:1"), 150, "flat single", {.colour = 0, .dash = 1});
   add(results.series("query/values/", "", "seconds_per_direction"), 1, "tree", {.colour = 2});
   add(results.series("query/local_cuts/", "", "seconds_per_direction"), 1, "tree, local cuts",
       {.colour = 2, .dash = 1});
@@ -89,29 +83,20 @@ void draw_roofline(const Results& results, const std::filesystem::path& folder) 
   Curves curves;
   int colour = 0;
   for (const std::string precision : {"double", "single"}) {
-    const double peak =
-        kOperations * 1e-9 * results.counter("registers/" + target + "/" + precision, "pairs/s");
+    const double peak = kOperations * 1e-9 * results.counter("registers/" + target + "/" + precision, "pairs/s");
     const double bandwidth =
-        1e-9 *
-        results.counter("bandwidth/" + precision + "/faces:10000000/threads:1", "peak_bytes/s");
+        1e-9 * results.counter("bandwidth/" + precision + "/faces:10000000/threads:1", "peak_bytes/s");
     const double bytes = precision == "double" ? 24 : 12;
-    const auto roof = [&](double intensity) {
-      return Point{intensity, std::min(peak, bandwidth * intensity)};
-    };
+    const auto roof = [&](double intensity) { return Point{intensity, std::min(peak, bandwidth * intensity)}; };
     if (peak > 0 && bandwidth > 0)
-      curves.add({roof(0.1), roof(peak / bandwidth), roof(1000)}, "roof, " + precision,
-                 {.colour = colour, .dash = 1});
-    for (const auto& [faces, where, dash] :
-         {std::tuple{"10000000", "memory", 0}, {"10000", "cache", 2}}) {
+      curves.add({roof(0.1), roof(peak / bandwidth), roof(1000)}, "roof, " + precision, {.colour = colour, .dash = 1});
+    for (const auto& [faces, where, dash] : {std::tuple{"10000000", "memory", 0}, {"10000", "cache", 2}}) {
       std::vector<Point> points;
       for (const char* directions : {"1", "3", "24", "150"}) {
-        const double pairs =
-            results.counter("flat/" + target + "/" + precision + "/directions:" + directions +
-                                "/faces:" + faces + "/threads:1",
-                            "pairs/s");
-        if (pairs > 0)
-          points.push_back(
-              {kOperations * std::stod(directions) / bytes, kOperations * 1e-9 * pairs});
+        const double pairs = results.counter(
+            "flat/" + target + "/" + precision + "/directions:" + directions + "/faces:" + faces + "/threads:1",
+            "pairs/s");
+        if (pairs > 0) points.push_back({kOperations * std::stod(directions) / bytes, kOperations * 1e-9 * pairs});
       }
       curves.add(points, precision + " from " + where, {.colour = colour, .dash = dash});
     }

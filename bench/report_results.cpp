@@ -20,9 +20,7 @@ bool is_counter(const std::string& key, const json& value) {
   return value.is_number() && std::find(own.begin(), own.end(), key) == own.end();
 }
 
-double unit(const std::string& name) {
-  return name == "s" ? 1 : name == "ms" ? 1e-3 : name == "us" ? 1e-6 : 1e-9;
-}
+double unit(const std::string& name) { return name == "s" ? 1 : name == "ms" ? 1e-3 : name == "us" ? 1e-6 : 1e-9; }
 
 Result parse(const json& entry) {
   Result result;
@@ -38,8 +36,7 @@ Result parse(const json& entry) {
     if (const auto colon = part.find(':'); colon != std::string::npos)
       result.keys[part.substr(0, colon)] = part.substr(colon + 1);
   }
-  result.seconds =
-      entry.value(real ? "real_time" : "cpu_time", 0.0) * unit(entry.value("time_unit", "ns"));
+  result.seconds = entry.value(real ? "real_time" : "cpu_time", 0.0) * unit(entry.value("time_unit", "ns"));
   for (const auto& [key, value] : entry.items())
     if (is_counter(key, value)) result.counters[key] = value;
   return result;
@@ -72,8 +69,7 @@ std::vector<const Result*> Results::family(const std::string& prefix) const {
 }
 
 const Result* Results::find(const std::string& name) const {
-  const auto found = std::find_if(results_.begin(), results_.end(),
-                                  [&](const Result& r) { return r.name == name; });
+  const auto found = std::find_if(results_.begin(), results_.end(), [&](const Result& r) { return r.name == name; });
   return found == results_.end() ? nullptr : &*found;
 }
 
@@ -91,8 +87,7 @@ std::vector<Point> Results::series(const std::string& prefix, const std::string&
     const double time = counter.empty() ? result->seconds : this->counter(result->name, counter);
     if (std::isfinite(time)) points.push_back({std::stod(result->keys.at("faces")), time});
   }
-  std::sort(points.begin(), points.end(),
-            [](const Point& a, const Point& b) { return a.size < b.size; });
+  std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.size < b.size; });
   return points;
 }
 
@@ -110,25 +105,20 @@ nlohmann::ordered_json summary(const Results& results) {
     }
   }
   for (const Result* r : results.family("bandwidth/"))
-    set(out["bandwidth_fraction"], r->name.substr(10),
-        results.counter(r->name, "bandwidth_fraction"));
+    set(out["bandwidth_fraction"], r->name.substr(10), results.counter(r->name, "bandwidth_fraction"));
   const double naive = results.counter("naive/faces:10000", "pairs/s");
   for (const char* precision : {"double", "single"})
     set(out["scalar_speedup"], precision,
-        results.counter("flat/" + best + "/" + precision + "/directions:150/faces:10000/threads:1",
-                        "pairs/s") /
-            naive);
+        results.counter("flat/" + best + "/" + precision + "/directions:150/faces:10000/threads:1", "pairs/s") / naive);
   for (const Result* r : results.family("speedup/"))
     set(out["thread_speedup"], r->name.substr(8), results.counter(r->name, "speedup"));
   for (const char* query : {"values", "cuts", "local_cuts", "coarse_cuts"}) {
     const std::string prefix = std::string("query/") + query + "/";
-    const std::string name =
-        std::string(query) == "values" ? "tree_speedup" : std::string("tree_speedup_") + query;
+    const std::string name = std::string(query) == "values" ? "tree_speedup" : std::string("tree_speedup_") + query;
     for (const Point& p : results.series(prefix, "", "over_flat"))
       out[name][std::to_string(static_cast<long>(p.size))] = p.time;
     std::vector<Point> times = results.series(prefix, "", "seconds_per_direction");
-    std::erase_if(times,
-                  [](const Point& p) { return p.size < 10'000; });  // below, the flat sum is faster
+    std::erase_if(times, [](const Point& p) { return p.size < 10'000; });  // below, the flat sum is faster
     if (times.size() > 1) out["tree_exponent"][query] = exponent(times);
   }
   for (const Point& p : results.series("query/values/", "", "error"))
@@ -137,10 +127,8 @@ nlohmann::ordered_json summary(const Results& results) {
     out["worst_case_speedup"][std::to_string(static_cast<long>(p.size))] = p.time;
   const auto flat = results.series("flat/" + best + "/double/directions:150/", "/threads:1");
   if (flat.size() > 1) out["flat_exponent"] = exponent(flat);
-  set(out, "tree_bytes_per_face",
-      results.counter("build/faces:1000000/threads:1", "bytes_per_face"));
-  set(out, "tree_memory_over_vectors",
-      results.counter("build/faces:1000000/threads:1", "memory_ratio"));
+  set(out, "tree_bytes_per_face", results.counter("build/faces:1000000/threads:1", "bytes_per_face"));
+  set(out, "tree_memory_over_vectors", results.counter("build/faces:1000000/threads:1", "memory_ratio"));
   for (const Result* r : results.family("chain/faces:1000000/")) {
     const std::string with = r->name.substr(r->name.rfind('/') + 1);
     set(out["tree_build_over_flat"], "chain/" + with, results.counter(r->name, "chain_over_flat"));

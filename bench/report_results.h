@@ -15,7 +15,7 @@ namespace rectilin::bench {
 struct Result {
   std::string name;                         ///< without the library's suffixes
   std::map<std::string, std::string> keys;  ///< key:value parts of the name
-  double seconds = 0;  ///< per call: processor or real time, as the name's family counts
+  double seconds = 0;                       ///< per call: processor or real time, as the name's family counts
   std::map<std::string, double> counters;
 };
 

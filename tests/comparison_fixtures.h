@@ -50,9 +50,7 @@ class KnownOptimum final : public OptimizerWith<NoOptions> {
   static constexpr const char* kName = "known";
   explicit KnownOptimum(Options options = {}) : OptimizerWith(options) {}
   std::string name() const override { return kName; }
-  Capabilities capabilities() const override {
-    return {.uses_chart = false, .uses_random = false, .certifies = true};
-  }
+  Capabilities capabilities() const override { return {.uses_chart = false, .uses_random = false, .certifies = true}; }
   void run(Evaluator& evaluator, const Chart&, Random&) const override {
     evaluator.raise_lower_bound(evaluator.value(Rotation()) * (1 - 1e-11));
   }

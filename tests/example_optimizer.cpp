@@ -10,9 +10,7 @@ using namespace rectilin;
 
 struct DownhillOptions {
   double step = 0.3;
-  void bind(Parameters& table) {
-    table.real("step", step, 1e-9, 1, "first length of a turn, radians");
-  }
+  void bind(Parameters& table) { table.real("step", step, 1e-9, 1, "first length of a turn, radians"); }
 };
 
 /// Random turns that are kept if they help; the step grows by successes and shrinks by failures.
@@ -25,8 +23,7 @@ class Downhill final : public LocalOptimizerWith<DownhillOptions> {
   std::string name() const override { return kName; }
   Capabilities capabilities() const override { return {.uses_chart = false, .local = true}; }
 
-  void improve(const Rotation& start, Evaluator& evaluator, const Chart&,
-               Random& random) const override {
+  void improve(const Rotation& start, Evaluator& evaluator, const Chart&, Random& random) const override {
     Rotation at = start;
     double value = evaluator.value(at);
     for (double step = options_.step; step > 1e-9 && !evaluator.exhausted();) {
@@ -44,10 +41,8 @@ class Downhill final : public LocalOptimizerWith<DownhillOptions> {
 TEST_CASE("an optimizer of one's own works alone, in a pipeline and in multistart", "[example]") {
   Registry registry = builtin_optimizers();
   registry.add<Downhill>("random turns that are kept if they help");
-  for (const char* spec :
-       {"downhill?step=0.1", "super-fibonacci?count=100+downhill", "multistart?local=downhill"}) {
-    const RunRecord record =
-        run_optimizer(*registry.make(spec), test::pyramid(), {.budget = {.evaluations = 20000}});
+  for (const char* spec : {"downhill?step=0.1", "super-fibonacci?count=100+downhill", "multistart?local=downhill"}) {
+    const RunRecord record = run_optimizer(*registry.make(spec), test::pyramid(), {.budget = {.evaluations = 20000}});
     REQUIRE(record.merit == Approx(test::kPyramid).margin(1e-5));
   }
 }

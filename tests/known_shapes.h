@@ -17,15 +17,13 @@ inline const double kPyramid = 0.75 * (1 + std::sqrt(5.0)) - 2;
 
 /// That pyramid in a pose that no chart's node or centre hits.
 inline const ProjectedArea& pyramid() {
-  static const ProjectedArea objective(
-      area_vectors(make_shape(Spec::parse("pyramid?rotate=random&seed=5"))));
+  static const ProjectedArea objective(area_vectors(make_shape(Spec::parse("pyramid?rotate=random&seed=5"))));
   return objective;
 }
 
 inline RunRecord run_on_pyramid(const std::string& spec, std::uint64_t seed = 1, Budget budget = {},
                                 const Chart& chart = covering_chart()) {
-  return run_optimizer(*builtin_optimizers().make(spec), pyramid(),
-                       {.budget = budget, .seed = seed, .chart = &chart});
+  return run_optimizer(*builtin_optimizers().make(spec), pyramid(), {.budget = budget, .seed = seed, .chart = &chart});
 }
 
 }  // namespace rectilin::test

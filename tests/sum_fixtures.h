@@ -38,9 +38,8 @@ inline Directions gaussian(std::size_t size, unsigned seed) {
 inline double exact_value(const Directions& vectors, const Vector3& u) {
   long double sum = 0;
   for (const Vector3& v : vectors) {
-    sum +=
-        std::abs(static_cast<long double>(u.x()) * v.x() + static_cast<long double>(u.y()) * v.y() +
-                 static_cast<long double>(u.z()) * v.z());
+    sum += std::abs(static_cast<long double>(u.x()) * v.x() + static_cast<long double>(u.y()) * v.y() +
+                    static_cast<long double>(u.z()) * v.z());
   }
   return static_cast<double>(sum);
 }
@@ -48,8 +47,7 @@ inline double exact_value(const Directions& vectors, const Vector3& u) {
 template <class Function>
 auto with_threads(int threads, const Function& function) {
   // More threads than cores are fine here, but TBB wants to be told.
-  tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                            static_cast<std::size_t>(threads));
+  tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
   return arena.execute(function);
 }

@@ -1,5 +1,3 @@
-#include "rectilin/measure/area_vectors.h"
-
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "catch.h"
 #include "random_meshes.h"
+#include "rectilin/measure/area_vectors.h"
 #include "rectilin/measure/shapes.h"
 #include "rectilin/optim/rotation.h"
 

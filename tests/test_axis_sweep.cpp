@@ -4,8 +4,7 @@
 
 using namespace rectilin;
 
-TEST_CASE("axis-sweep finds the pyramid's minimum and spends the budget on restarts",
-          "[axis-sweep]") {
+TEST_CASE("axis-sweep finds the pyramid's minimum and spends the budget on restarts", "[axis-sweep]") {
   const RunRecord record = test::run_on_pyramid("axis-sweep", 1, {.evaluations = 5000});
   REQUIRE(record.merit == Approx(test::kPyramid).margin(1e-12));  // exact turns: rounding only
   REQUIRE(record.costs.turns == 5000 / Costs::kPerTurn);
@@ -20,8 +19,7 @@ TEST_CASE("where one sweep ends no turn about an axis helps", "[axis-sweep]") {
   Random random(1);
   for (int i = 0; i < 300; ++i) {
     const Rotation turned =
-        rotation_from_vector(random.uniform(-1, 1) * Eigen::Vector3d::Unit(i % 3)) *
-        record.incumbent.rotation;
+        rotation_from_vector(random.uniform(-1, 1) * Eigen::Vector3d::Unit(i % 3)) * record.incumbent.rotation;
     double value;
     test::pyramid().values({&turned, 1}, {&value, 1});
     REQUIRE(value >= record.incumbent.value - 1e-12);
@@ -29,8 +27,8 @@ TEST_CASE("where one sweep ends no turn about an axis helps", "[axis-sweep]") {
 }
 
 TEST_CASE("an objective without turns is a clear error", "[axis-sweep]") {
-  const RunRecord record = run_optimizer(*builtin_optimizers().make("axis-sweep"),
-                                         test::CubeInPose(), {.budget = {.evaluations = 100}});
+  const RunRecord record =
+      run_optimizer(*builtin_optimizers().make("axis-sweep"), test::CubeInPose(), {.budget = {.evaluations = 100}});
   REQUIRE(record.outcome == RunRecord::Outcome::kFailed);
   REQUIRE(record.error == "axis-sweep: 'cube in pose' has no best turns");
   REQUIRE(record.costs.evaluations() == 0);

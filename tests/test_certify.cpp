@@ -1,6 +1,4 @@
 // Certified optima of whole meshes.
-#include "rectilin/optim/certify.h"
-
 #include <tbb/global_control.h>
 
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "rectilin/measure/projected_area.h"
 #include "rectilin/measure/shapes.h"
 #include "rectilin/measure/source.h"
+#include "rectilin/optim/certify.h"
 #include "rectilin/optim/run_record.h"
 
 using namespace rectilin;
@@ -77,10 +76,13 @@ TEST_CASE("a long regular prism stands upright at its optimum", "[certify]") {
 
 TEST_CASE("certify accepts every degenerate mesh", "[certify]") {
   const Vector3 x = Vector3::UnitX(), y = Vector3::UnitY();
-  for (const auto& vectors : {std::vector<Vector3>{x}, {x, -2 * x, 3 * x}, {x, y}, {x, x + y}, {x, 1e-12 * y},
+  for (const auto& vectors : {std::vector<Vector3>{x},
+                              {x, -2 * x, 3 * x},
+                              {x, y},
+                              {x, x + y},
+                              {x, 1e-12 * y},
                               {x, (x + 1e-9 * y).normalized()}})
-    require_encloses(certify_vectors(area_vectors(vectors)),
-                     certify_vectors(area_vectors(vectors)).lower, 1e-6);
+    require_encloses(certify_vectors(area_vectors(vectors)), certify_vectors(area_vectors(vectors)).lower, 1e-6);
   require_encloses(certify_vectors(area_vectors({x})), 1, 1e-6);
   // Two unit vectors at 45 degrees: one lies along an axis, the other across two.
   require_encloses(certify_vectors(area_vectors({x, (x + y).normalized()})), 6 / (1 + std::sqrt(2.0)) - 2, 1e-6);

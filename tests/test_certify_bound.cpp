@@ -132,7 +132,8 @@ TEST_CASE("no rotation in a kink ball is below its value", "[certify]") {
       vectors.push_back(v + off * frame.axis(k));
     }
     const ProjectedArea objective(area_vectors(vectors));
-    const double value = value_at(objective, frame) - (random.chance(0.5) ? 1e-10 : std::pow(10.0, random.uniform(-9, -1)));
+    const double value =
+        value_at(objective, frame) - (random.chance(0.5) ? 1e-10 : std::pow(10.0, random.uniform(-9, -1)));
     const double angle = kink_ball(objective.generators(), frame, value);
     balls += angle > 0;
     for (int i = 0; i < 100 && angle > 0; ++i) {

@@ -1,10 +1,9 @@
-#include "rectilin/optim/chart.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "catch.h"
+#include "rectilin/optim/chart.h"
 #include "rectilin/optim/parameters.h"
 
 using namespace rectilin;

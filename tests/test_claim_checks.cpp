@@ -51,9 +51,7 @@ Specimen mixed(const Specimen& mesh, const Specimen& objective) {
   return specimen;
 }
 
-Rotation inverse_convention(double a, double b, double c) {
-  return rotation_from_euler(a, b, c).inverse();
-}
+Rotation inverse_convention(double a, double b, double c) { return rotation_from_euler(a, b, c).inverse(); }
 Rotation reversed_convention(double a, double b, double c) { return rotation_from_euler(c, b, a); }
 
 }  // namespace
@@ -70,20 +68,17 @@ TEST_CASE("the definition tells a wrong convention", "[claims]") {
 TEST_CASE("the definition allows for slivers and far-away meshes, no more", "[claims]") {
   Mesh far = load_mesh("shape:pyramid").mesh;
   for (Vector3& p : far.vertices) p += Vector3(1e6, -1e6, 1e6);
-  REQUIRE(check_definition(make_specimen(far, "far"), Random(1), rotation_from_euler).margin >=
-          -kRounding);
+  REQUIRE(check_definition(make_specimen(far, "far"), Random(1), rotation_from_euler).margin >= -kRounding);
   REQUIRE(coordinate_rounding(*pyramid().mesh, pyramid().vectors().area()) < 1e-14);
 }
 
 TEST_CASE("checks do not depend on scale", "[claims]") {
   for (const char* scale : {"1e-100", "1", "1e100"}) {
-    const Specimen specimen =
-        make_specimen("shape:pyramid?rotate=random&seed=5&scale=" + std::string(scale));
+    const Specimen specimen = make_specimen("shape:pyramid?rotate=random&seed=5&scale=" + std::string(scale));
     REQUIRE(check_definition(specimen, Random(1), rotation_from_euler).margin >= -kRounding);
     REQUIRE(check_similarity(specimen, Random(1)).margin >= -1e-9);
     REQUIRE(check_stability(specimen, Random(1)).margin >= -1e-9);
-    REQUIRE(check_positive(specimen).margin ==
-            Approx(check_positive(pyramid()).margin).margin(kRounding));
+    REQUIRE(check_positive(specimen).margin == Approx(check_positive(pyramid()).margin).margin(kRounding));
   }
 }
 
@@ -122,8 +117,7 @@ TEST_CASE("a face's tilt bounds what it adds to P", "[claims]") {
   Random random(4);
   for (int i = 0; i < 20'000; ++i) {
     const Vector3 n = random_rotation(random).axis(0);
-    const double t = mean_tilt(area_vectors(std::vector<Vector3>{n}), Rotation()),
-                 excess = n.lpNorm<1>() - 1;
+    const double t = mean_tilt(area_vectors(std::vector<Vector3>{n}), Rotation()), excess = n.lpNorm<1>() - 1;
     REQUIRE(excess >= kLeastSlope * t - 1e-14);
     REQUIRE(excess <= std::sqrt(2.0) * t + 1e-14);
   }
@@ -137,8 +131,7 @@ TEST_CASE("the range of R fails for values outside", "[claims]") {
 
 TEST_CASE("similarity fails for a search that depends on the pose", "[claims]") {
   REQUIRE(check_similarity(pyramid(), Random(5)).margin == Approx(0).margin(1e-9));
-  REQUIRE(check_similarity(with_search(pyramid(), pyramid().best.found + 1e-5), Random(5)).margin <
-          -1e-6);
+  REQUIRE(check_similarity(with_search(pyramid(), pyramid().best.found + 1e-5), Random(5)).margin < -1e-6);
 }
 
 TEST_CASE("spheres: the quadrature of the mean is good for every single face", "[claims]") {
@@ -181,8 +174,7 @@ TEST_CASE("the optimum on the paper's box is enclosed", "[claims]") {
     REQUIRE(on_box.greatest_r() - on_box.least_r() < 1.1e-6);
     REQUIRE(in_paper_box(on_box.rotation));
     REQUIRE(ratio_at(*specimen.objective, on_box.rotation) == Approx(on_box.found).margin(1e-11));
-    if (in_paper_box(specimen.best.rotation))
-      REQUIRE(on_box.least_r() == Approx(specimen.best.least_r()).margin(1e-5));
+    if (in_paper_box(specimen.best.rotation)) REQUIRE(on_box.least_r() == Approx(specimen.best.least_r()).margin(1e-5));
     // No node of a grid is better than the bound.
     std::vector<Rotation> grid;
     for (int i = 0; i <= 20 * 20 * 20; ++i)
@@ -198,13 +190,10 @@ TEST_CASE("eq. (28) fails in poses the box does not reach, and only there", "[cl
   // All axes as far from the octants of the box as they can be: a third of a half turn about (1,
   // -1, 1).
   const double a = -0.46364760900080604, b = 0.7297276562269662;
-  const Mesh worst =
-      load_mesh("shape:box?rotate=" + Json(a).dump() + "," + Json(b).dump() + "," + Json(a).dump())
-          .mesh;
+  const Mesh worst = load_mesh("shape:box?rotate=" + Json(a).dump() + "," + Json(b).dump() + "," + Json(a).dump()).mesh;
   REQUIRE(check_paper_box(make_specimen(worst, "worst")).margin == Approx(-0.5565).margin(1e-4));
   int lost = 0;
-  for (std::uint64_t i = 0; i < 200; ++i)
-    lost += check_paper_box_in_another_pose(box(), Random(i)).margin < -1e-6;
+  for (std::uint64_t i = 0; i < 200; ++i) lost += check_paper_box_in_another_pose(box(), Random(i)).margin < -1e-6;
   REQUIRE(lost > 25);  // of 50 expected; four standard deviations
   REQUIRE(lost < 75);
 }

@@ -65,21 +65,17 @@ TEST_CASE("claims are judged as the ledger expects", "[claims]") {
 }
 
 TEST_CASE("a mesh that cannot be read costs a line", "[claims]") {
-  const Validation validation =
-      run({"missing.off", "shape:pyramid", "shape:nonsense"}, {"eq-12", "linear-cost"});
+  const Validation validation = run({"missing.off", "shape:pyramid", "shape:nonsense"}, {"eq-12", "linear-cost"});
   REQUIRE(validation.errors.size() == 2);
   REQUIRE(validation.errors[0].find("missing.off") != std::string::npos);
   REQUIRE(validation.results[0].tested == 1);
   REQUIRE(validation.results[0].verdict == ClaimVerdict::kHoldsWithMargin);
 }
 
-TEST_CASE("unknown claims are refused", "[claims]") {
-  REQUIRE_THROWS_AS(run({}, {"fermat"}), ParameterError);
-}
+TEST_CASE("unknown claims are refused", "[claims]") { REQUIRE_THROWS_AS(run({}, {"fermat"}), ParameterError); }
 
 TEST_CASE("verdicts and margins do not depend on threads or on other claims", "[claims]") {
-  const std::vector<std::string> sources{"shape:pyramid", "shape:blob?faces=500",
-                                         "shape:torus?slices=9"};
+  const std::vector<std::string> sources{"shape:pyramid", "shape:blob?faces=500", "shape:torus?slices=9"};
   const Validation all = run(sources, {"theorem-3-4", "eq-28-turned", "stable-150"});
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
   const Validation alone = run(sources, {"eq-28-turned"});
@@ -94,6 +90,5 @@ TEST_CASE("a stop leaves claims untested, not failed", "[claims]") {
   settings.stop = source.get_token();
   const Validation validation = validate({}, settings);
   REQUIRE_FALSE(validation.complete);
-  for (const ClaimResult& result : validation.results)
-    REQUIRE(result.verdict == ClaimVerdict::kUntested);
+  for (const ClaimResult& result : validation.results) REQUIRE(result.verdict == ClaimVerdict::kUntested);
 }

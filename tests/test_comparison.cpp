@@ -1,6 +1,4 @@
 // Plans, runs that survive interruption, and what is made of them.
-#include "rectilin/experiments/comparison.h"
-
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 
 #include "catch.h"
 #include "comparison_fixtures.h"
+#include "rectilin/experiments/comparison.h"
 #include "rectilin/experiments/journal.h"
 #include "rectilin/experiments/report.h"
 #include "rectilin/experiments/summary.h"
@@ -245,8 +244,7 @@ TEST_CASE("a summary of runs known by hand") {
   const Summary summary = summarise(results);
   const auto at = [](double target) {
     return static_cast<std::size_t>(
-        std::ranges::find_if(targets(), [&](double t) { return std::abs(t / target - 1) < 1e-9; }) -
-        targets().begin());
+        std::ranges::find_if(targets(), [&](double t) { return std::abs(t / target - 1) < 1e-9; }) - targets().begin());
   };
   // A certificate of width 0.1 says nothing of smaller targets.
   CHECK(summary.cells[0][0].to_target[at(1e-2)].runs == 0);

@@ -50,8 +50,8 @@ std::map<std::string, Outcome> read_all(const std::string& set) {
 }
 
 std::size_t count_refused(const std::map<std::string, Outcome>& outcomes) {
-  return static_cast<std::size_t>(std::count_if(
-      outcomes.begin(), outcomes.end(), [](const auto& o) { return !o.second.error.empty(); }));
+  return static_cast<std::size_t>(
+      std::count_if(outcomes.begin(), outcomes.end(), [](const auto& o) { return !o.second.error.empty(); }));
 }
 
 }  // namespace
@@ -75,8 +75,7 @@ TEST_CASE("IKEA furniture: every model is read") {
   CHECK(count_refused(outcomes) == 0);
 }
 
-TEST_CASE(
-    "classic models: read with the known number of triangles, refused if there is no surface") {
+TEST_CASE("classic models: read with the known number of triangles, refused if there is no surface") {
   auto outcomes = read_all("classic");
   if (outcomes.empty()) return;
   const std::map<std::string, std::string> refused = {
@@ -93,8 +92,7 @@ TEST_CASE(
   CHECK(outcomes["common-3d-test-models/igea.ply"].triangles == 268686);  // triangle strips
   CHECK(outcomes["libigl-tutorial-data/inspired_mesh_quads_Smooth.off"].triangles == 3676);
   CHECK(outcomes["cinolib/E.obj"].triangles == 10);  // one concave polygon
-  CHECK(outcomes["vclib/bimba_bin.stl"].report.vertices ==
-        3 * outcomes["vclib/bimba_bin.stl"].triangles);
+  CHECK(outcomes["vclib/bimba_bin.stl"].report.vertices == 3 * outcomes["vclib/bimba_bin.stl"].triangles);
 }
 
 TEST_CASE("malformed models: some are read after all, the others give one error with its place") {
@@ -107,8 +105,7 @@ TEST_CASE("malformed models: some are read after all, the others give one error 
       {"assimp/invalid/malformed.obj", "line 28: vertex index 0, but the first vertex is 1"},
       {"assimp/OFF/invalid.off", "line 8: vertex index 20 is not in 0..2"},
       {"assimp/OBJ/number_formats.obj", "line 11: expected a coordinate, found '3.1+e2'"},
-      {"tinyobjloader/invalid-relative-vertex-index.obj",
-       "line 1: vertex index -4, but only 0 vertices precede it"},
+      {"tinyobjloader/invalid-relative-vertex-index.obj", "line 1: vertex index -4, but only 0 vertices precede it"},
       {"trimesh/emptyIO/stl_empty_bin.stl", " no faces, so there is no surface to measure"}};
   for (const auto& [name, reason] : refused) CHECK(outcomes[name].error == reason);
 

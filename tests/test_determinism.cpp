@@ -21,8 +21,7 @@ const ProjectedArea& many_directions(Evaluation evaluation) {
     Random random(3);
     std::vector<Vector3> vectors(kDirections);
     for (Vector3& v : vectors) v = {random.normal(), 2 * random.normal(), 4 * random.normal()};
-    return std::make_unique<ProjectedArea>(area_vectors(std::move(vectors)), "many directions",
-                                           how);
+    return std::make_unique<ProjectedArea>(area_vectors(std::move(vectors)), "many directions", how);
   };
   static const auto tree = make(Evaluation::kTree), flat = make(Evaluation::kFlat);
   return evaluation == Evaluation::kTree ? *tree : *flat;
@@ -31,12 +30,9 @@ const ProjectedArea& many_directions(Evaluation evaluation) {
 RunRecord run_on_threads(int threads, const Optimizer& optimizer, const Objective& objective,
                          std::uint64_t evaluations) {
   // More threads than there are cores; the library wants to be told.
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(threads));
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
-  return arena.execute([&] {
-    return run_optimizer(optimizer, objective, {.budget = {.evaluations = evaluations}});
-  });
+  return arena.execute([&] { return run_optimizer(optimizer, objective, {.budget = {.evaluations = evaluations}}); });
 }
 
 void require_same(const RunRecord& a, const RunRecord& b) {
@@ -51,8 +47,7 @@ void require_same(const RunRecord& a, const RunRecord& b) {
   }
 }
 
-void require_same_on_threads(const std::string& spec, Evaluation evaluation,
-                             std::uint64_t evaluations) {
+void require_same_on_threads(const std::string& spec, Evaluation evaluation, std::uint64_t evaluations) {
   const auto optimizer = builtin_optimizers().make(spec);
   if (!optimizer->capabilities().deterministic) return;
   INFO(spec);
@@ -60,23 +55,20 @@ void require_same_on_threads(const std::string& spec, Evaluation evaluation,
   const RunRecord one = run_on_threads(1, *optimizer, objective, evaluations);
   REQUIRE(one.outcome != RunRecord::Outcome::kFailed);
   REQUIRE(one.costs.evaluations() > 0);
-  for (const int threads : {2, 8})
-    require_same(one, run_on_threads(threads, *optimizer, objective, evaluations));
+  for (const int threads : {2, 8}) require_same(one, run_on_threads(threads, *optimizer, objective, evaluations));
 }
 
 }  // namespace
 
 TEST_CASE("every optimizer runs the same on 1, 2 and 8 threads", "[determinism]") {
-  for (const auto& entry : builtin_optimizers().entries())
-    require_same_on_threads(entry.name, Evaluation::kTree, 500);
-  for (const char* spec : {"super-fibonacci?count=60+nelder-mead", "ga?generations=2+ceres",
-                           "random?evaluations=50+axis-sweep", "multistart?local=nlopt:LD_LBFGS",
-                           "nlopt:G_MLSL?local=LD_SLSQP", "grid?points=4+certify"})
+  for (const auto& entry : builtin_optimizers().entries()) require_same_on_threads(entry.name, Evaluation::kTree, 500);
+  for (const char* spec :
+       {"super-fibonacci?count=60+nelder-mead", "ga?generations=2+ceres", "random?evaluations=50+axis-sweep",
+        "multistart?local=nlopt:LD_LBFGS", "nlopt:G_MLSL?local=LD_SLSQP", "grid?points=4+certify"})
     require_same_on_threads(spec, Evaluation::kTree, 500);
 }
 
-TEST_CASE("what asks in batches runs the same on any threads with flat sums, too",
-          "[determinism]") {
+TEST_CASE("what asks in batches runs the same on any threads with flat sums, too", "[determinism]") {
   for (const auto& entry : builtin_optimizers().entries())
     if (builtin_optimizers().make(entry.name)->capabilities().batches)
       require_same_on_threads(entry.name, Evaluation::kFlat, 500);

@@ -19,17 +19,14 @@ double measured(const Mesh& mesh) {
 
 Mesh shape(const char* spec) { return make_shape(Spec::parse(spec)); }
 
-std::set<Triangle> faces(const Mesh& mesh) {
-  return {mesh.triangles.begin(), mesh.triangles.end()};
-}
+std::set<Triangle> faces(const Mesh& mesh) { return {mesh.triangles.begin(), mesh.triangles.end()}; }
 
 }  // namespace
 
 TEST_CASE("Deletion takes the number of faces it says, from those there are", "[edits]") {
   const Mesh sphere = shape("sphere?subdivisions=3");  // 512 faces
   const std::set<Triangle> all = faces(sphere);
-  for (const auto& [fraction, left] :
-       {std::pair{0.0, 512}, {0.5, 256}, {0.9, 51}, {0.99, 5}, {1.0, 1}}) {
+  for (const auto& [fraction, left] : {std::pair{0.0, 512}, {0.5, 256}, {0.9, 51}, {0.99, 5}, {1.0, 1}}) {
     const Mesh rest = without_faces(sphere, fraction, Random(3));
     CHECK(rest.triangles.size() == static_cast<std::size_t>(left));
     const std::set<Triangle> some = faces(rest);
@@ -62,8 +59,7 @@ TEST_CASE("Every face is deleted equally often", "[edits]") {
 }
 
 TEST_CASE("A mesh of parallel faces keeps R = 1 whatever is deleted", "[edits]") {
-  CHECK(measured(without_faces(shape("box?faces=1200&rotate=random"), 0.95, Random(1))) ==
-        Approx(1).margin(1e-9));
+  CHECK(measured(without_faces(shape("box?faces=1200&rotate=random"), 0.95, Random(1))) == Approx(1).margin(1e-9));
 }
 
 TEST_CASE("Noise is seeded, of the size asked for, and relative to the mesh's extent", "[edits]") {
@@ -76,8 +72,7 @@ TEST_CASE("Noise is seeded, of the size asked for, and relative to the mesh's ex
   for (std::size_t i = 0; i < sphere.vertices.size(); ++i)
     squares += (noisy.vertices[i] - sphere.vertices[i]).squaredNorm();
   // 12,294 deviates: their variance is known to 1.3 %, so the deviation to 0.65 %; five of these.
-  CHECK(std::sqrt(squares / (3.0 * static_cast<double>(sphere.vertices.size()))) ==
-        Approx(0.02).epsilon(0.033));
+  CHECK(std::sqrt(squares / (3.0 * static_cast<double>(sphere.vertices.size()))) == Approx(0.02).epsilon(0.033));
 
   Mesh large = sphere;
   for (Vector3& p : large.vertices) p *= 1024;

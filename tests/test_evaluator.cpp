@@ -1,11 +1,10 @@
-#include "rectilin/optim/evaluator.h"
-
 #include <set>
 #include <vector>
 
 #include "catch.h"
 #include "frame_objective.h"
 #include "known_shapes.h"
+#include "rectilin/optim/evaluator.h"
 
 using namespace rectilin;
 

@@ -55,8 +55,7 @@ TEST_CASE("Experiments have names of their own, and quick settings they accept",
     CHECK(&find_experiment(experiment.name) == &experiment);
     CHECK_FALSE(experiment.title.empty());
     for (const auto& [key, value] : experiment.quick.items())
-      CHECK(std::ranges::any_of(experiment.parameters,
-                                [key = key](const auto& p) { return p.name == key; }));
+      CHECK(std::ranges::any_of(experiment.parameters, [key = key](const auto& p) { return p.name == key; }));
     CHECK_THROWS_AS(experiment.run({{"no such setting", 1}}, {}), ParameterError);
   }
   CHECK_THROWS_AS(find_experiment("fig99"), ParameterError);
@@ -79,8 +78,7 @@ TEST_CASE("Inscribed spheres approach R = 0 from above (Fig. 5)", "[experiments]
   CHECK(r.back() < 0.01);
 }
 
-TEST_CASE("The more is cut off an edge of a cube, the less rectilinear it is (Fig. 8)",
-          "[experiments]") {
+TEST_CASE("The more is cut off an edge of a cube, the less rectilinear it is (Fig. 8)", "[experiments]") {
   const std::vector<double> r = values(run("fig8?steps=5"));
   CHECK(r.front() == Approx(1).margin(1e-12));
   CHECK(std::ranges::is_sorted(r, std::greater()));
@@ -108,8 +106,8 @@ TEST_CASE("Ellipsoids rise from the sphere towards the needle's R (Fig. 10)", "[
 }
 
 TEST_CASE("A ranking is one, and says which meshes it could not read (Fig. 11)", "[experiments]") {
-  const ExperimentResult result = run("fig11?shown=2", {"shape:pyramid", "shape:box", "missing.off",
-                                                        "shape:torus?slices=8&stacks=6"});
+  const ExperimentResult result =
+      run("fig11?shown=2", {"shape:pyramid", "shape:box", "missing.off", "shape:torus?slices=8&stacks=6"});
   const std::vector<double> r = values(result);
   REQUIRE(r.size() == 3);
   CHECK(std::ranges::is_sorted(r, std::greater()));
@@ -132,20 +130,16 @@ TEST_CASE("Simplified to all its faces a mesh is itself (Fig. 14)", "[experiment
   const ExperimentResult result = run("fig14", {"shape:ellipsoid?faces=2000"});
   const std::vector<double> r = values(result);
   REQUIRE(r.size() == 7);
-  CHECK(
-      r[0] ==
-      Approx(run("fig11", {"shape:ellipsoid?faces=2000"}).data[0]["rectilinearity"].get<double>()));
+  CHECK(r[0] == Approx(run("fig11", {"shape:ellipsoid?faces=2000"}).data[0]["rectilinearity"].get<double>()));
   CHECK(std::abs(r[1] - r[0]) < 0.005);  // half the faces of a smooth body
   CHECK(result.data[6]["faces"].get<int>() <= 20);
 }
 
-TEST_CASE("A chair withstands holes and slats; noise costs the more the finer it is (Fig. 12)",
-          "[experiments]") {
+TEST_CASE("A chair withstands holes and slats; noise costs the more the finer it is (Fig. 12)", "[experiments]") {
   const ExperimentResult result = run("fig12?finest=4000");
   std::vector<std::string> titles;
   for (const Json& row : result.data)
-    if (const std::string label = row.at("label"); label.find(',') == std::string::npos)
-      titles.push_back(label);
+    if (const std::string label = row.at("label"); label.find(',') == std::string::npos) titles.push_back(label);
   REQUIRE(titles.size() == 3);
   std::vector<double> loss;
   for (const std::string& title : titles) {
@@ -157,16 +151,14 @@ TEST_CASE("A chair withstands holes and slats; noise costs the more the finer it
   CHECK(loss.front() < loss.back());
 }
 
-TEST_CASE("The genetic algorithm never passes the certified bound, and only rises (Fig. 6)",
-          "[experiments]") {
+TEST_CASE("The genetic algorithm never passes the certified bound, and only rises (Fig. 6)", "[experiments]") {
   const ExperimentResult result = run("fig6?runs=3&generations=8", {"shape:pyramid?rotate=random"});
   REQUIRE(result.data[0]["final"].size() == 3);
   for (const double r : result.data[0]["final"]) CHECK(r <= result.data[0]["upper"].get<double>());
   CHECK_THROWS_AS(run("fig6?domain=nowhere"), ParameterError);
 }
 
-TEST_CASE("Experiments are the same for any number of threads, and the seed matters",
-          "[experiments]") {
+TEST_CASE("Experiments are the same for any number of threads, and the seed matters", "[experiments]") {
   const Experiment& deletion = find_experiment("fig13");
   const auto go = [&](std::uint64_t seed) {
     ExperimentContext context;
@@ -192,16 +184,12 @@ TEST_CASE("A stopped experiment throws, and writes nothing", "[experiments]") {
 }
 
 TEST_CASE("Thumbnails are PNG files, whatever the mesh", "[experiments]") {
-  const auto is_png = [](const std::string& file) {
-    return file.starts_with("\x89PNG\r\n") && file.size() > 100;
-  };
-  const std::string sphere =
-      figures::thumbnail(make_shape(Spec::parse("sphere?subdivisions=2")), figures::Up::kZ);
+  const auto is_png = [](const std::string& file) { return file.starts_with("\x89PNG\r\n") && file.size() > 100; };
+  const std::string sphere = figures::thumbnail(make_shape(Spec::parse("sphere?subdivisions=2")), figures::Up::kZ);
   CHECK(is_png(sphere));
   CHECK(sphere != figures::thumbnail(make_shape(Spec::parse("box")), figures::Up::kZ));
   // Neither scale nor place matters; a power of two keeps every bit.
-  CHECK(sphere == figures::thumbnail(make_shape(Spec::parse("sphere?subdivisions=2&scale=1024")),
-                                     figures::Up::kZ));
+  CHECK(sphere == figures::thumbnail(make_shape(Spec::parse("sphere?subdivisions=2&scale=1024")), figures::Up::kZ));
   CHECK(is_png(figures::thumbnail(Mesh{}, figures::Up::kY)));
   Mesh flat{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 0}}, {{0, 1, 2}, {0, 3, 0}}};  // no area
   CHECK(is_png(figures::thumbnail(flat, figures::Up::kY)));
@@ -214,8 +202,7 @@ TEST_CASE("The chair has about the faces asked for, and stands", "[experiments]"
     const Mesh mesh = figures::chair({.faces = faces});
     CHECK(static_cast<double>(mesh.triangles.size()) == Approx(faces).epsilon(0.2));
     CHECK(largest_extent(mesh) == Approx(1).epsilon(0.1));
-    const auto lowest =
-        std::ranges::min_element(mesh.vertices, {}, [](const Vector3& p) { return p.z(); });
+    const auto lowest = std::ranges::min_element(mesh.vertices, {}, [](const Vector3& p) { return p.z(); });
     CHECK(lowest->z() == 0);
   }
 }

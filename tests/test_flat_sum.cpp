@@ -78,8 +78,7 @@ TEST_CASE("flat sums of every size agree with long double", "[flat_sum]") {
           const double unit = u[k].stableNorm() * area.total;
           // The documented bounds; 1e-12 is what the objective's certificate counts on.
           CHECK(std::abs(twofold[k] - exact[k]) <= 1e-12 * unit);
-          CHECK(std::abs(single[k] - exact[k]) <=
-                FlatSum::relative_error_bound(Precision::kSingle) * unit);
+          CHECK(std::abs(single[k] - exact[k]) <= FlatSum::relative_error_bound(Precision::kSingle) * unit);
         }
       });
     }
@@ -112,8 +111,7 @@ TEST_CASE("h is even, homogeneous and convex", "[flat_sum]") {
   const auto h2 = values(sum, twice);
   for (std::size_t k = 0; k < a.size(); ++k) {
     CHECK(h2[k] == 2 * ha[k]);  // a power of two changes no digit
-    CHECK(hm[k] <=
-          (ha[k] + hb[k]) / 2 + 1e-12 * area.total * (a[k].stableNorm() + b[k].stableNorm()));
+    CHECK(hm[k] <= (ha[k] + hb[k]) / 2 + 1e-12 * area.total * (a[k].stableNorm() + b[k].stableNorm()));
   }
 }
 

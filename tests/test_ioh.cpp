@@ -1,11 +1,10 @@
 // The IOHprofiler export against the layout its readers document.
-#include "rectilin/experiments/ioh.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "catch.h"
 #include "comparison_fixtures.h"
+#include "rectilin/experiments/ioh.h"
 
 namespace rectilin {
 namespace {

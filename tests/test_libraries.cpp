@@ -35,16 +35,14 @@ TEST_CASE("gradient methods reach a minimum through the smooth surrogate", "[nlo
     INFO(name);
     const RunRecord record = test::run_on_pyramid("super-fibonacci?count=500+" + name);
     REQUIRE(record.costs.smooths > 0);
-    REQUIRE(record.costs.values > 500);  // the objective itself, at the ends of the rounds
+    REQUIRE(record.costs.values > 500);                            // the objective itself, at the ends of the rounds
     REQUIRE(record.merit == Approx(test::kPyramid).margin(1e-5));  // the last width is 1e-6
   }
 }
 
 TEST_CASE("gradient methods name the objective that has no surrogate", "[nlopt][ceres]") {
-  for (const char* name :
-       {"nlopt:LD_LBFGS", "nlopt:GD_STOGO", "nlopt:G_MLSL?local=LD_SLSQP", "ceres"}) {
-    const RunRecord record =
-        run_optimizer(*builtin_optimizers().make(name), test::CubeInPose(), {});
+  for (const char* name : {"nlopt:LD_LBFGS", "nlopt:GD_STOGO", "nlopt:G_MLSL?local=LD_SLSQP", "ceres"}) {
+    const RunRecord record = run_optimizer(*builtin_optimizers().make(name), test::CubeInPose(), {});
     REQUIRE(record.outcome == RunRecord::Outcome::kFailed);
     REQUIRE_THAT(record.error, Catch::EndsWith("'cube in pose' has no smooth surrogate"));
   }
@@ -70,8 +68,7 @@ TEST_CASE("pagmo is as large as it is told to be", "[pagmo]") {
     return;
   }
   // The first population and its generations, then the next population.
-  const RunRecord record =
-      test::run_on_pyramid("pagmo:sga?population=10&generations=3&evaluations=95");
+  const RunRecord record = test::run_on_pyramid("pagmo:sga?population=10&generations=3&evaluations=95");
   REQUIRE(record.costs.values == 95);
   REQUIRE_THROWS_AS(builtin_optimizers().make("pagmo:sga?population=1"), ParameterError);
 }

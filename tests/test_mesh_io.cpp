@@ -84,8 +84,8 @@ const std::string kFacet =
     "vertex 0 1 0\nendloop\nendfacet\n";
 
 struct TemporaryFolder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() /
-                               ("rectilin_mesh_io_" + std::to_string(std::random_device{}()));
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("rectilin_mesh_io_" + std::to_string(std::random_device{}()));
   TemporaryFolder() { std::filesystem::create_directories(path); }
   ~TemporaryFolder() { std::filesystem::remove_all(path); }
   std::filesystem::path write(const std::string& name, const std::string& bytes) const {
@@ -108,8 +108,7 @@ TEST_CASE("OFF: headers and the data they announce") {
   CHECK(area(off("STCN4nOFF\n3\n3 1 0\n0 0 0 1\n2 0 0 2\n0 3 0 3\n" + face).mesh) == 0.5);
 }
 
-TEST_CASE(
-    "OFF: faces with colours, of many corners, over several lines, with more text after them") {
+TEST_CASE("OFF: faces with colours, of many corners, over several lines, with more text after them") {
   const std::string square = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
   CHECK(area(off(square + "4 0 1 2 3 0.5 0.5 0.5 1\n").mesh) == 1);
   CHECK(area(off(square + "4 0 1 2 3  # red\n").mesh) == 1);
@@ -126,12 +125,9 @@ TEST_CASE("OFF: errors name the line") {
   CHECK(error(off, "OFF BINARY\n") == "m:line 1: OFF BINARY is not supported, only OFF as text");
   CHECK(error(off, "OFF\nx 1 0\n") == "m:line 2: expected the number of vertices, found 'x'");
   CHECK(error(off, "OFF\n-3 1 0\n") == "m:line 2: expected the number of vertices, found '-3'");
-  CHECK(error(off, "nOFF\n4\n3 1 0\n") ==
-        "m:line 2: only vertices of three dimensions are supported");
-  CHECK(error(off, head + "0.0 0.0 0.0\n1.0 0.0 0.0\n") ==
-        "m:line 4: the file ends after 2 of 3 vertices");
-  CHECK(error(off, head + "0.0 0.0\n1.0 0.0 0.0\n") ==
-        "m:line 3: expected a coordinate, found the end of the line");
+  CHECK(error(off, "nOFF\n4\n3 1 0\n") == "m:line 2: only vertices of three dimensions are supported");
+  CHECK(error(off, head + "0.0 0.0 0.0\n1.0 0.0 0.0\n") == "m:line 4: the file ends after 2 of 3 vertices");
+  CHECK(error(off, head + "0.0 0.0\n1.0 0.0 0.0\n") == "m:line 3: expected a coordinate, found the end of the line");
   CHECK(error(off, head + "0 0 0x1\n1 0 0\n") == "m:line 3: expected a coordinate, found '0x1'");
   CHECK(error(off, head + kTriangle) == "m:line 5: the file ends after 0 of 1 faces");
   CHECK(error(off, head + kTriangle + "3 0 1 3\n") == "m:line 6: vertex index 3 is not in 0..2");
@@ -146,9 +142,8 @@ TEST_CASE("OFF: errors name the line") {
 
 TEST_CASE("OBJ: what faces are made of") {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  for (const char* face :
-       {"f 1 2 3", "f -3 -2 -1", "f 1/1 2/2 3/3", "f 1//7 2//7 3//7", "f 1/1/1 2/ 3//",
-        "f 1 2\\\n 3\n", "f 1 \\\r\n2 \\\r\n3\r\n", "  f\t1 2 3 # note"}) {
+  for (const char* face : {"f 1 2 3", "f -3 -2 -1", "f 1/1 2/2 3/3", "f 1//7 2//7 3//7", "f 1/1/1 2/ 3//",
+                           "f 1 2\\\n 3\n", "f 1 \\\r\n2 \\\r\n3\r\n", "  f\t1 2 3 # note"}) {
     CAPTURE(face);
     CHECK(area(obj(vertices + face).mesh) == 0.5);
   }
@@ -160,14 +155,10 @@ TEST_CASE("OBJ: what faces are made of") {
 
 TEST_CASE("OBJ: errors name the line") {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  CHECK(error(obj, vertices + "f 1 2 0\n") ==
-        "m:line 4: vertex index 0, but the first vertex is 1");
-  CHECK(error(obj, vertices + "f 1 2 -4\n") ==
-        "m:line 4: vertex index -4, but only 3 vertices precede it");
-  CHECK(error(obj, vertices + "\nf 1 2 4\nf 1 2 3\n") ==
-        "m:line 5: vertex index 4, but there are 3 vertices");
-  CHECK(error(obj, vertices + "f 1 2 4294967297\n") ==
-        "m:line 4: vertex index 4294967297, but there are 3 vertices");
+  CHECK(error(obj, vertices + "f 1 2 0\n") == "m:line 4: vertex index 0, but the first vertex is 1");
+  CHECK(error(obj, vertices + "f 1 2 -4\n") == "m:line 4: vertex index -4, but only 3 vertices precede it");
+  CHECK(error(obj, vertices + "\nf 1 2 4\nf 1 2 3\n") == "m:line 5: vertex index 4, but there are 3 vertices");
+  CHECK(error(obj, vertices + "f 1 2 4294967297\n") == "m:line 4: vertex index 4294967297, but there are 3 vertices");
   CHECK(error(obj, vertices + "f 1 2 x\n") == "m:line 4: expected a vertex index, found 'x'");
   CHECK(error(obj, vertices + "f 1 2 /3\n") == "m:line 4: expected a vertex index, found '/3'");
   CHECK(error(obj, vertices + "f 1 2 3.5\n") == "m:line 4: expected a vertex index, found '3.5'");
@@ -186,11 +177,8 @@ TEST_CASE("numbers keep all their digits, and may be written in any usual way") 
 
 TEST_CASE("PLY as text: all element orders, list types and property names") {
   const std::string head = "ply\nformat ascii 1.0\ncomment #1\nobj_info x\n";
-  CHECK(
-      area(ply(head + kPlyVertices + kPlyFaces + "end_header\n" + kTriangle + "3 0 1 2\n").mesh) ==
-      0.5);
-  CHECK(area(ply(head + kPlyFaces + kPlyVertices + "end_header\n3 0 1 2\n" + kTriangle).mesh) ==
-        0.5);
+  CHECK(area(ply(head + kPlyVertices + kPlyFaces + "end_header\n" + kTriangle + "3 0 1 2\n").mesh) == 0.5);
+  CHECK(area(ply(head + kPlyFaces + kPlyVertices + "end_header\n3 0 1 2\n" + kTriangle).mesh) == 0.5);
   CHECK(area(ply("ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float64 z\r\n"
                  "property uint8 red\r\nproperty float64 y\r\nproperty float64 x\r\n"
                  "element camera 1\r\nproperty list uint float focus\r\nelement nothing 7\r\n"
@@ -203,14 +191,12 @@ TEST_CASE("PLY as text: all element orders, list types and property names") {
 TEST_CASE("PLY binary: both byte orders, every line ending of the header") {
   for (const std::endian order : {std::endian::little, std::endian::big}) {
     for (const std::string& ending : {"\n"s, "\r\n"s, "\r"s}) {
-      std::string text = "ply\nformat binary_"s +
-                         (order == std::endian::little ? "little" : "big") +
+      std::string text = "ply\nformat binary_"s + (order == std::endian::little ? "little" : "big") +
                          "_endian 1.0\nelement vertex 4\nproperty char tag\nproperty float x\n"
                          "property double y\nproperty short z\nelement face 1\n"
                          "property list ushort uint vertex_indices\nproperty double quality\n"
                          "end_header\n";
-      for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;
-           at += ending.size()) {
+      for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += ending.size()) {
         text.replace(at, 1, ending);
       }
       // The first byte of the body is a line feed, which must not be taken for half a line ending.
@@ -250,28 +236,21 @@ TEST_CASE("PLY: errors name the line or the byte") {
   CHECK(error(ply, "ply\nelement face -1\n") == "m:line 2: a negative count of elements");
   CHECK(error(ply, "ply\nelement face 1\nproperty list float int vertex_index\n") ==
         "m:line 3: a list whose count is no integer");
-  CHECK(error(ply, "ply\nelement vertex 1\nproperty real x\n") ==
-        "m:line 3: expected a type, found 'real'");
+  CHECK(error(ply, "ply\nelement vertex 1\nproperty real x\n") == "m:line 3: expected a type, found 'real'");
   CHECK(error(ply, "ply\nend_header\n") == "m:line 2: the header has no line format");
   CHECK(error(ply, "ply\nbogus\n") == "m:line 2: expected a header line, found 'bogus'");
   CHECK(error(ply, "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n") ==
         "m:line 3: the vertices have no x, y and z");
-  CHECK(error(ply, "ply\nformat ascii 1.0\n" + kPlyVertices +
-                       "element face 1\nproperty uchar red\nend_header\n" + kTriangle + "0\n") ==
-        "m:line 7: the faces have no list vertex_indices or vertex_index");
-  CHECK(error(ply, head + kTriangle + "3 0 1 3\n") ==
-        "m:line 13: vertex index 3, but there are 3 vertices");
-  CHECK(error(ply, head + kTriangle + "3 0 1 -1\n") ==
-        "m:line 13: vertex index -1, but there are 3 vertices");
-  CHECK(error(ply, head + kTriangle + "3 0 1 1.5\n") ==
-        "m:line 13: a list's length or an index is not an integer");
-  CHECK(error(ply, head + kTriangle + "3 0 1\n") ==
-        "m:line 13: expected a number, found the end of the line");
-  CHECK(error(ply, head + kTriangle + "3 0 1 2 3\n") ==
-        "m:line 13: expected the end of the line, found '3'");
+  CHECK(error(ply, "ply\nformat ascii 1.0\n" + kPlyVertices + "element face 1\nproperty uchar red\nend_header\n" +
+                       kTriangle + "0\n") == "m:line 7: the faces have no list vertex_indices or vertex_index");
+  CHECK(error(ply, head + kTriangle + "3 0 1 3\n") == "m:line 13: vertex index 3, but there are 3 vertices");
+  CHECK(error(ply, head + kTriangle + "3 0 1 -1\n") == "m:line 13: vertex index -1, but there are 3 vertices");
+  CHECK(error(ply, head + kTriangle + "3 0 1 1.5\n") == "m:line 13: a list's length or an index is not an integer");
+  CHECK(error(ply, head + kTriangle + "3 0 1\n") == "m:line 13: expected a number, found the end of the line");
+  CHECK(error(ply, head + kTriangle + "3 0 1 2 3\n") == "m:line 13: expected the end of the line, found '3'");
   CHECK(error(ply, head + kTriangle + "-1 0 1 2\n") == "m:line 13: a list of negative length");
-  const std::string binary = "ply\nformat binary_big_endian 1.0\n" + kPlyVertices + kPlyFaces +
-                             "end_header\n" + std::string(36, '\0') + "\3";
+  const std::string binary =
+      "ply\nformat binary_big_endian 1.0\n" + kPlyVertices + kPlyFaces + "end_header\n" + std::string(36, '\0') + "\3";
   CHECK(error(ply, binary + std::string(4, '\7')) == "m:byte " + std::to_string(binary.size() + 4) +
                                                          ": vertex index 117901063, but there are 3"
                                                          " vertices");
@@ -300,13 +279,10 @@ TEST_CASE("STL: errors name the line or the byte") {
         "m:line 4: expected a coordinate, found the "
         "end of the file");
   CHECK(error(stl, "solid\nfacet\nvertex 0 0 0\n") == "m:line 3: the file ends within a facet");
-  CHECK(error(stl, "solid\nvertex 0 0 0\n") ==
-        "m:line 2: expected facet or endsolid, found 'vertex'");
-  CHECK(error(stl, "solid\nfacet\nvortex 0 0 0\n") ==
-        "m:line 3: expected a vertex or endfacet, found 'vortex'");
+  CHECK(error(stl, "solid\nvertex 0 0 0\n") == "m:line 2: expected facet or endsolid, found 'vertex'");
+  CHECK(error(stl, "solid\nfacet\nvortex 0 0 0\n") == "m:line 3: expected a vertex or endfacet, found 'vortex'");
   CHECK(error(stl, "solid\nendsolid\n") == "m: no faces, so there is no surface to measure");
-  CHECK(error(stl, binary_stl("", 3, {{}, {}})) ==
-        "m:byte 84: the header claims 3 triangles, the file holds 2");
+  CHECK(error(stl, binary_stl("", 3, {{}, {}})) == "m:byte 84: the header claims 3 triangles, the file holds 2");
   CHECK(error(stl, "short") == "m:byte 5: the file ends within a value");
 }
 
@@ -323,8 +299,7 @@ TEST_CASE("what is odd but legal is kept or dropped, and counted") {
   CHECK(report.nonfinite_vertices == 4);
   CHECK(report.dropped_nonfinite == 2);
   CHECK(report.dropped_short == 2);
-  CHECK(report.degenerate ==
-        3);  // twice one corner, twice one position, and part of the quadrangle
+  CHECK(report.degenerate == 3);  // twice one corner, twice one position, and part of the quadrangle
   CHECK(report.duplicate_vertices == 1);
   CHECK(report.unreferenced_vertices == 1);
   CHECK(report.triangulated == 1);
@@ -340,8 +315,8 @@ TEST_CASE("a mesh without area is refused, at any scale one with area is not") {
   for (const char* unit : {"1e-307", "1e-120", "1e+120", "1.7e308"}) {
     CAPTURE(unit);
     const std::string u = unit;
-    const LoadedMesh loaded = obj("v 0 0 0\nv " + u + " 0 0\nv " + u + " " + u + " 0\nv 0 " + u +
-                                  " 0\nv -" + u + " 0 0\nf 1 2 3 4\nf 5 1 4\n");
+    const LoadedMesh loaded = obj("v 0 0 0\nv " + u + " 0 0\nv " + u + " " + u + " 0\nv 0 " + u + " 0\nv -" + u +
+                                  " 0 0\nf 1 2 3 4\nf 5 1 4\n");
     CHECK(loaded.report.degenerate == 0);
     CHECK(loaded.mesh.triangles.size() == 3);
   }
@@ -368,28 +343,17 @@ TEST_CASE("triangles of a planar polygon have its area") {
     CHECK(mesh.triangles.size() == corners.size() - 2);
     std::string tilted, face = text.substr(text.find('f'));
     for (const Vector3& v : mesh.vertices) {  // stretches areas by sqrt(1 + 1 + 4)
-      tilted += "v " + std::to_string(v.x()) + " " + std::to_string(v.y()) + " " +
-                std::to_string(v.x() + 2 * v.y()) + "\n";
+      tilted +=
+          "v " + std::to_string(v.x()) + " " + std::to_string(v.y()) + " " + std::to_string(v.x() + 2 * v.y()) + "\n";
     }
     CHECK(area(obj(tilted + face).mesh) == Approx(expected * std::sqrt(6)).epsilon(1e-12));
   }
   SECTION("a square with a square hole, joined by a channel of no width") {
-    CHECK(area(obj(polygon({{0, 0},
-                            {4, 0},
-                            {4, 4},
-                            {0, 4},
-                            {0, 0},
-                            {1, 1},
-                            {1, 3},
-                            {3, 3},
-                            {3, 1},
-                            {1, 1}}))
-                   .mesh) == 12);
+    CHECK(area(obj(polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}})).mesh) ==
+          12);
   }
   SECTION("straight and repeated corners") {
-    CHECK(
-        area(obj(polygon({{0, 0}, {1, 0}, {2, 0}, {2, 0}, {2, 2}, {1, 1}, {1, 1}, {0, 2}})).mesh) ==
-        3);
+    CHECK(area(obj(polygon({{0, 0}, {1, 0}, {2, 0}, {2, 0}, {2, 2}, {1, 1}, {1, 1}, {0, 2}})).mesh) == 3);
   }
 }
 
@@ -401,8 +365,7 @@ TEST_CASE("large polygons take time in proportion") {
     std::string text, face = "f";
     for (int i = 0; i < kCorners; ++i) {
       const double angle = 2 * std::numbers::pi * i / kCorners, radius = i % 2 == 0 ? 1.0 : inner;
-      text += "v " + std::to_string(radius * std::cos(angle)) + " " +
-              std::to_string(radius * std::sin(angle)) + " 0\n";
+      text += "v " + std::to_string(radius * std::cos(angle)) + " " + std::to_string(radius * std::sin(angle)) + " 0\n";
       face.append(" ").append(std::to_string(i + 1));
     }
     CHECK(obj(text + face).mesh.triangles.size() == kCorners - 2);
@@ -410,19 +373,17 @@ TEST_CASE("large polygons take time in proportion") {
 }
 
 TEST_CASE("a lying header costs no memory") {
-  CHECK(
-      error(off, "OFF\n353535235358 6 0\n0 0 0\n") ==
-      "m:line 2: the header claims 353535235358 vertices and 6 faces, more than the file can hold");
+  CHECK(error(off, "OFF\n353535235358 6 0\n0 0 0\n") ==
+        "m:line 2: the header claims 353535235358 vertices and 6 faces, more than the file can hold");
   CHECK(error(off, "OFF\n9223372036854775807 9223372036854775807 0\n") ==
         "m:line 2: the header claims 9223372036854775807 vertices and 9223372036854775807 faces, "
         "more "
         "than the file can hold");
-  CHECK(
-      error(ply,
-            "ply\nformat ascii 1.0\nelement vertex 9223372036854775807\nproperty float x\n"
-            "property float y\nproperty float z\nend_header\n0 0 0\n") ==
-      "m:line 3: the header claims 9223372036854775807 of the element 'vertex', more than the file "
-      "can hold");
+  CHECK(error(ply,
+              "ply\nformat ascii 1.0\nelement vertex 9223372036854775807\nproperty float x\n"
+              "property float y\nproperty float z\nend_header\n0 0 0\n") ==
+        "m:line 3: the header claims 9223372036854775807 of the element 'vertex', more than the file "
+        "can hold");
   CHECK(error(ply, "ply\nformat ascii 1.0\nelement junk 9223372036854775807\nend_header\n") ==
         "m: no faces, so there is no surface to measure");
   CHECK(error(stl, binary_stl("", 0xFFFFFFFFu, {{}})) ==
@@ -431,8 +392,8 @@ TEST_CASE("a lying header costs no memory") {
 
 TEST_CASE("the content decides the format, else the extension") {
   const TemporaryFolder folder;
-  const std::string ascii_ply = "ply\nformat ascii 1.0\n" + kPlyVertices + kPlyFaces +
-                                "end_header\n" + kTriangle + "3 0 1 2\n";
+  const std::string ascii_ply =
+      "ply\nformat ascii 1.0\n" + kPlyVertices + kPlyFaces + "end_header\n" + kTriangle + "3 0 1 2\n";
   for (const std::string& bytes :
        {"OFF\n3 1 0\n" + kTriangle + "3 0 1 2\n", ascii_ply, "solid\n" + kFacet + "endsolid\n",
         binary_stl("solid", 1, {{0, 0, 0, 1, 0, 0, 0, 1, 0}})}) {
@@ -449,24 +410,20 @@ TEST_CASE("files that cannot be read or written give one clear error") {
   const auto path = [&](const char* name) { return (folder.path / name).string(); };
   CHECK_THROWS_WITH(read_mesh(folder.path), folder.path.string() + ": not a regular file");
   CHECK_THROWS_WITH(read_mesh(folder.path / "none.off"), path("none.off") + ": no such file");
-  CHECK_THROWS_WITH(read_mesh(folder.write("empty.stl", "")),
-                    path("empty.stl") + ": the file is empty");
+  CHECK_THROWS_WITH(read_mesh(folder.write("empty.stl", "")), path("empty.stl") + ": the file is empty");
   const Mesh mesh = obj("v 0 0 0\nv 1 0 0\nv 0 1e39 0\nf 1 2 3\n").mesh;
-  CHECK_THROWS_WITH(write_mesh(folder.path / "none" / "a.off", mesh),
-                    path("none/a.off") + ": cannot be written");
+  CHECK_THROWS_WITH(write_mesh(folder.path / "none" / "a.off", mesh), path("none/a.off") + ": cannot be written");
   CHECK_THROWS_WITH(write_mesh(folder.path / "a.xyz", mesh),
                     path("a.xyz") + ": the extension is none of .off, .obj, .ply, .stl");
-  CHECK_THROWS_WITH(
-      write_mesh(folder.path / "a.stl", mesh),
-      path("a.stl") + ": a coordinate is too large for the single precision of binary STL");
+  CHECK_THROWS_WITH(write_mesh(folder.path / "a.stl", mesh),
+                    path("a.stl") + ": a coordinate is too large for the single precision of binary STL");
 }
 
 TEST_CASE("what is written reads back the same") {
   const TemporaryFolder folder;
   constexpr double kTiny = std::numeric_limits<double>::denorm_min();
-  const Mesh mesh{
-      {{0.1, 1.0 / 3.0, -1e-300}, {kTiny, 2e10, 3}, {4, 5, 6.000000000000001}, {7, 8, -0.0}},
-      {{0, 1, 2}, {3, 2, 1}, {0, 0, 3}}};
+  const Mesh mesh{{{0.1, 1.0 / 3.0, -1e-300}, {kTiny, 2e10, 3}, {4, 5, 6.000000000000001}, {7, 8, -0.0}},
+                  {{0, 1, 2}, {3, 2, 1}, {0, 0, 3}}};
   for (const char* name : {"a.off", "a.obj", "a.ply", "a.stl"}) {
     for (const bool binary : {false, true}) {
       const std::filesystem::path file = folder.path / name;

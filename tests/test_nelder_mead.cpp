@@ -21,8 +21,7 @@ TEST_CASE("a nearest copy is the same frame, within the zone's radius", "[simple
   for (int i = 0; i < 100; ++i) {
     const Rotation a = random_rotation(random), b = random_rotation(random);
     const Rotation copy = nearest_copy(a, b);
-    REQUIRE(frame_angle(a, copy) <
-            1e-7);  // the angle of a rotation near the identity keeps half the digits
+    REQUIRE(frame_angle(a, copy) < 1e-7);  // the angle of a rotation near the identity keeps half the digits
     REQUIRE(angle_between(copy, b) == Approx(frame_angle(a, b)).margin(1e-7));
   }
 }
@@ -31,8 +30,7 @@ TEST_CASE("a simplex never loses its best vertex and contracts on a minimum", "[
   const test::CubeInPose cube;
   Evaluator evaluator(cube);
   Random random(3);
-  Simplex simplex =
-      Simplex::around(rotation_from_vector({0.1, 0.05, -0.1}), 0.2, evaluator, random);
+  Simplex simplex = Simplex::around(rotation_from_vector({0.1, 0.05, -0.1}), 0.2, evaluator, random);
   double previous = simplex.best().value;
   for (int i = 0; i < 300; ++i) {
     simplex.step(evaluator);
@@ -54,15 +52,11 @@ TEST_CASE("nelder-mead ends by itself at the pyramid's minimum", "[nelder-mead]"
 
 TEST_CASE("multistart runs any local method, and nothing else", "[multistart]") {
   REQUIRE(test::run_on_pyramid("multistart").merit == Approx(test::kPyramid).margin(1e-7));
-  REQUIRE(test::run_on_pyramid("multistart?starts=0", 1, {.evaluations = 4321}).costs.values ==
-          4321);
-  const auto two =
-      builtin_optimizers().make("multistart?local=nelder-mead?size=0.1,restarts=0&starts=2");
+  REQUIRE(test::run_on_pyramid("multistart?starts=0", 1, {.evaluations = 4321}).costs.values == 4321);
+  const auto two = builtin_optimizers().make("multistart?local=nelder-mead?size=0.1,restarts=0&starts=2");
   REQUIRE(two->parameters() == Json{{"local", "nelder-mead?size=0.1,restarts=0"}, {"starts", 2}});
-  REQUIRE_THROWS_WITH(builtin_optimizers().make("multistart?local=ga"),
-                      Catch::Contains("'ga' is not a local"));
-  REQUIRE_THROWS_AS(builtin_optimizers().make("multistart?local=nelder-mead?size=-1"),
-                    ParameterError);
+  REQUIRE_THROWS_WITH(builtin_optimizers().make("multistart?local=ga"), Catch::Contains("'ga' is not a local"));
+  REQUIRE_THROWS_AS(builtin_optimizers().make("multistart?local=nelder-mead?size=-1"), ParameterError);
 }
 
 TEST_CASE("hybrid finds the pyramid's minimum from every seed", "[hybrid]") {

@@ -48,12 +48,9 @@ Directions cuts(const NormalTree& tree, const Directions& u, double resolution =
 /// Random directions, extreme ones, and some across which the given vectors lie.
 Directions test_directions(const Directions& vectors) {
   Directions u = gaussian(10, 99);
-  u.insert(u.end(), {Vector3::UnitX(),
-                     Vector3::UnitY(),
-                     -Vector3::UnitZ(),
-                     {0.6, 0.8, 1e-17},
-                     {0, 0, 1e-200},
-                     {3e100, 4e100, 0}});
+  u.insert(
+      u.end(),
+      {Vector3::UnitX(), Vector3::UnitY(), -Vector3::UnitZ(), {0.6, 0.8, 1e-17}, {0, 0, 1e-200}, {3e100, 4e100, 0}});
   for (const std::size_t i : {std::size_t{0}, vectors.size() / 2}) {
     if (i < vectors.size() && vectors[i] != Vector3::Zero())
       u.push_back(vectors[i].stableNormalized().unitOrthogonal());
@@ -174,8 +171,7 @@ TEST_CASE("order changes a tree's speed, not its sums", "[normal_tree]") {
   const AreaVectors area = make_vectors(vectors);
   const auto shuffled = values(NormalTree(area), u);
   for (std::size_t k = 0; k < u.size(); ++k) {
-    CHECK(std::abs(sorted[k] - shuffled[k]) <=
-          2 * NormalTree::kErrorBound * area.total * u[k].stableNorm());
+    CHECK(std::abs(sorted[k] - shuffled[k]) <= 2 * NormalTree::kErrorBound * area.total * u[k].stableNorm());
   }
 }
 
@@ -229,12 +225,10 @@ TEST_CASE("a direction across which nearly all vectors lie gets the flat sum", "
 
 TEST_CASE("tree and vectors take at most two and a half times the vectors", "[normal_tree]") {
   const AreaVectors area = make_vectors(gaussian(100000, 10));
-  CHECK(static_cast<double>(NormalTree(area).bytes()) <=
-        1.5 * 24 * static_cast<double>(area.size()));
+  CHECK(static_cast<double>(NormalTree(area).bytes()) <= 1.5 * 24 * static_cast<double>(area.size()));
 }
 
-TEST_CASE("the objective's tree and flat sum agree, each in any batch",
-          "[normal_tree][projected_area]") {
+TEST_CASE("the objective's tree and flat sum agree, each in any batch", "[normal_tree][projected_area]") {
   const AreaVectors vectors = make_vectors(ellipsoid(24));
   Random random(12);
   std::vector<Rotation> rotations(40);
@@ -252,7 +246,6 @@ TEST_CASE("the objective's tree and flat sum agree, each in any batch",
   };
   const auto tree = all(Evaluation::kTree), flat = all(Evaluation::kFlat);
   // Three sums, each with an error of kErrorBound S at most, from either side.
-  for (std::size_t i = 0; i < tree.size(); ++i)
-    CHECK(std::abs(tree[i] - flat[i]) <= 6 * NormalTree::kErrorBound);
+  for (std::size_t i = 0; i < tree.size(); ++i) CHECK(std::abs(tree[i] - flat[i]) <= 6 * NormalTree::kErrorBound);
   CHECK(all(Evaluation::kAuto) == (NormalTree::worthwhile(vectors.size()) ? tree : flat));
 }

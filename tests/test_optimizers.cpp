@@ -18,8 +18,7 @@ RunRecord run(const std::string& spec, std::uint64_t seed = 1, Budget budget = {
               const Chart& chart = covering_chart()) {
   Random random(99);
   const test::CubeInPose cube(random_rotation(random));
-  return run_optimizer(*builtin_optimizers().make(spec), cube,
-                       {.budget = budget, .seed = seed, .chart = &chart});
+  return run_optimizer(*builtin_optimizers().make(spec), cube, {.budget = budget, .seed = seed, .chart = &chart});
 }
 
 }  // namespace
@@ -47,8 +46,7 @@ TEST_CASE("the seed matters to those that say so, and to no others", "[optimizer
     std::set<std::uint64_t> digests;
     for (std::uint64_t seed = 1; seed <= 4; ++seed)
       digests.insert(test::run_on_pyramid(entry.name, seed, {.evaluations = 5000}).digest);
-    REQUIRE((digests.size() > 1) ==
-            builtin_optimizers().make(entry.name)->capabilities().uses_random);
+    REQUIRE((digests.size() > 1) == builtin_optimizers().make(entry.name)->capabilities().uses_random);
   }
 }
 
@@ -72,8 +70,9 @@ TEST_CASE("every optimizer needs what it says, and says so before it begins", "[
 }
 
 TEST_CASE("capabilities of a whole are those of all its parts, or of any", "[optimizers]") {
-  const Capabilities whole = together({.deterministic = true, .needs_smooth = true, .local = true},
-                                      {.deterministic = false, .uses_chart = false, .needs_turns = true, .local = true});
+  const Capabilities whole =
+      together({.deterministic = true, .needs_smooth = true, .local = true},
+               {.deterministic = false, .uses_chart = false, .needs_turns = true, .local = true});
   REQUIRE_FALSE(whole.deterministic);
   REQUIRE(whole.local);
   REQUIRE((whole.needs_smooth && whole.needs_turns && whole.uses_chart));
@@ -126,8 +125,7 @@ TEST_CASE("an optimizer made from its own parameters is the same", "[optimizers]
 }
 
 TEST_CASE("the registry names what it does not know", "[optimizers]") {
-  REQUIRE_THROWS_WITH(builtin_optimizers().make("gaa"),
-                      Catch::StartsWith("no optimizer 'gaa'; there are ga"));
+  REQUIRE_THROWS_WITH(builtin_optimizers().make("gaa"), Catch::StartsWith("no optimizer 'gaa'; there are ga"));
   REQUIRE_THROWS_AS(builtin_optimizers().make("ga?population=1"), ParameterError);
   REQUIRE_THROWS_AS(builtin_optimizers().make("ga?population=10&elitism=10"), ParameterError);
 }
@@ -141,8 +139,8 @@ TEST_CASE("ga spends population times generations, as the paper's 10,000", "[opt
 }
 
 TEST_CASE("ga comes near the cube's pose with each selection and code", "[optimizers][ga]") {
-  for (const char* spec : {"ga", "ga?encoding=gray", "ga?selection=rank", "ga?points=2",
-                           "ga?elitism=0", "ga?selection=roulette"}) {
+  for (const char* spec :
+       {"ga", "ga?encoding=gray", "ga?selection=rank", "ga?points=2", "ga?elitism=0", "ga?selection=roulette"}) {
     INFO(spec);
     double best = 0;
     for (std::uint64_t seed = 1; seed <= 5; ++seed) best = std::max(best, run(spec, seed).merit);
@@ -150,8 +148,7 @@ TEST_CASE("ga comes near the cube's pose with each selection and code", "[optimi
   }
 }
 
-TEST_CASE("grid contains the ends of the box, so an aligned cube is met exactly",
-          "[optimizers][grid]") {
+TEST_CASE("grid contains the ends of the box, so an aligned cube is met exactly", "[optimizers][grid]") {
   const test::CubeInPose aligned;
   const auto grid = builtin_optimizers().make("grid?points=3&levels=0");
   const RunRecord record = run_optimizer(*grid, aligned, {.chart = &paper_chart()});
@@ -162,8 +159,7 @@ TEST_CASE("grid contains the ends of the box, so an aligned cube is met exactly"
 TEST_CASE("grid refines: each level comes nearer", "[optimizers][grid]") {
   double previous = 0;
   for (int levels : {0, 3, 6, 12}) {
-    const RunRecord record =
-        run("grid?points=10&levels=" + std::to_string(levels), 1, {}, zone_chart());
+    const RunRecord record = run("grid?points=10&levels=" + std::to_string(levels), 1, {}, zone_chart());
     REQUIRE(record.costs.values == 1000u + levels * 8u * 125u);
     REQUIRE(record.merit >= previous);
     previous = record.merit;

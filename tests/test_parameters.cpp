@@ -1,6 +1,5 @@
-#include "rectilin/optim/parameters.h"
-
 #include "catch.h"
+#include "rectilin/optim/parameters.h"
 
 using namespace rectilin;
 

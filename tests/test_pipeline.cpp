@@ -10,8 +10,7 @@ TEST_CASE("each stage starts where the one before stopped", "[pipeline]") {
   REQUIRE(both.costs.values > 500);
   REQUIRE(both.merit > first.merit);
   // All that the first stage found is in the trace of both.
-  for (std::size_t i = 0; i < first.trace.size(); ++i)
-    REQUIRE(both.trace[i].value == first.trace[i].value);
+  for (std::size_t i = 0; i < first.trace.size(); ++i) REQUIRE(both.trace[i].value == first.trace[i].value);
 }
 
 TEST_CASE("a stage that spends all leaves nothing", "[pipeline]") {
@@ -21,8 +20,8 @@ TEST_CASE("a stage that spends all leaves nothing", "[pipeline]") {
 }
 
 TEST_CASE("a pipeline is made again from its name and parameters", "[pipeline]") {
-  const auto one = builtin_optimizers().make(
-      "ga?mutation=1e-2&generations=5+anneal?cold=1e-8&evaluations=1e+3+nelder-mead");
+  const auto one =
+      builtin_optimizers().make("ga?mutation=1e-2&generations=5+anneal?cold=1e-8&evaluations=1e+3+nelder-mead");
   REQUIRE(one->name() == "ga+anneal+nelder-mead");
   REQUIRE(one->parameters().size() == 3);
   REQUIRE(one->parameters()[1]["evaluations"] == 1000);  // the plus of 1e+3 is the number's
@@ -41,8 +40,7 @@ TEST_CASE("a pipeline is as capable as its stages", "[pipeline]") {
 }
 
 TEST_CASE("a wrong stage is named", "[pipeline]") {
-  REQUIRE_THROWS_WITH(builtin_optimizers().make("ga+nonsense"),
-                      Catch::StartsWith("no optimizer 'nonsense'"));
+  REQUIRE_THROWS_WITH(builtin_optimizers().make("ga+nonsense"), Catch::StartsWith("no optimizer 'nonsense'"));
   REQUIRE_THROWS_WITH(builtin_optimizers().make("ga+"), Catch::StartsWith("no optimizer 'ga+'"));
   REQUIRE_THROWS_WITH(builtin_optimizers().make("+ga"), Catch::Contains("has no name"));
 }

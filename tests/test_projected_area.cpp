@@ -1,5 +1,3 @@
-#include "rectilin/measure/projected_area.h"
-
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
@@ -10,6 +8,7 @@
 
 #include "catch.h"
 #include "random_meshes.h"
+#include "rectilin/measure/projected_area.h"
 #include "rectilin/measure/shapes.h"
 
 using namespace rectilin;
@@ -99,7 +98,8 @@ TEST_CASE("the square pyramid as high as its base at its best pose: 0.4270509831
   // Turned about its axis so that side faces are parallel to an axis of the frame: the known optimum.
   const Mesh pyramid = make_shape(Spec::parse("pyramid"));
   double best = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 1000; ++i) best = std::min(best, ratio(pyramid, rotation_from_vector({0, 0, i * std::numbers::pi / 2000})));
+  for (int i = 0; i < 1000; ++i)
+    best = std::min(best, ratio(pyramid, rotation_from_vector({0, 0, i * std::numbers::pi / 2000})));
   REQUIRE(rectilinearity(best) == Approx(3 * ((1 + std::sqrt(5.0)) / 4) - 2).margin(1e-9));
 }
 
@@ -109,15 +109,19 @@ TEST_CASE("R does not change under similarity, face order, splitting or flipping
     const Mesh mesh = test::random_mesh(random, 40);
     const Rotation r = random_rotation(random), q = random_rotation(random);
     const double expected = ratio(mesh, r);
-    const auto same = [&](const Mesh& other, const Rotation& at) { REQUIRE(ratio(other, at) == Approx(expected).epsilon(kRounding)); };
+    const auto same = [&](const Mesh& other, const Rotation& at) {
+      REQUIRE(ratio(other, at) == Approx(expected).epsilon(kRounding));
+    };
 
     const Vector3 shift = test::random_vector(random);
-    same(test::transformed(mesh, [&](const Vector3& v) -> Vector3 { return 3.7 * (q.matrix() * v) + shift; }), r * q.inverse());
+    same(test::transformed(mesh, [&](const Vector3& v) -> Vector3 { return 3.7 * (q.matrix() * v) + shift; }),
+         r * q.inverse());
     for (const double scale : {1e-120, 1e120})
       same(test::transformed(mesh, [&](const Vector3& v) -> Vector3 { return v * scale; }), r);
 
     Mesh shuffled = mesh;
-    for (std::size_t n = shuffled.triangles.size(); n > 1; --n) std::swap(shuffled.triangles[n - 1], shuffled.triangles[random.below(n)]);
+    for (std::size_t n = shuffled.triangles.size(); n > 1; --n)
+      std::swap(shuffled.triangles[n - 1], shuffled.triangles[random.below(n)]);
     same(shuffled, r);
 
     Mesh split = mesh;
@@ -176,7 +180,8 @@ TEST_CASE("the cut's gradient is the derivative along turns of the frame", "[obj
     const double step = 1e-6;
     for (int k = 0; k < 3; ++k) {
       const Vector3 turn = Vector3::Unit(k) * step;
-      const double slope = (value(rotation_from_vector(turn) * r) - value(rotation_from_vector(-turn) * r)) / (2 * step);
+      const double slope =
+          (value(rotation_from_vector(turn) * r) - value(rotation_from_vector(-turn) * r)) / (2 * step);
       // A kink between the two points would show as an error of the size of a face; none is met with this seed.
       REQUIRE(slope == Approx(gradient[k]).margin(1e-6));
     }
@@ -223,8 +228,8 @@ TEST_CASE("the best turn is the least over the circle", "[objective]") {
 
 TEST_CASE("the best turn is the least over all kinks, for any number of directions and threads", "[objective]") {
   for (const char* shape : {"box?rotate=random", "stairs?steps=40&rotate=random", "filleted-cube?segments=6",
-                            "filleted-cube?segments=6&rotate=random", "cylinder?sides=700", "sphere?kind=latlong&slices=40&stacks=20",
-                            "blob?faces=3000"}) {
+                            "filleted-cube?segments=6&rotate=random", "cylinder?sides=700",
+                            "sphere?kind=latlong&slices=40&stacks=20", "blob?faces=3000"}) {
     INFO(shape);
     const ProjectedArea objective(area_vectors(make_shape(Spec::parse(shape))));
     Random random(11);
@@ -267,7 +272,8 @@ TEST_CASE("turns and smooth values are the same bits for any number of threads",
 
 TEST_CASE("turns and smooth values agree on every instruction set", "[objective]") {
   Random random(13);
-  const ProjectedArea objective(area_vectors(make_shape(Spec::parse("blob?faces=1003"))));  // no multiple of any register
+  const ProjectedArea objective(
+      area_vectors(make_shape(Spec::parse("blob?faces=1003"))));  // no multiple of any register
   const Rotation at = random_rotation(random);
   const SmoothValue smooth = objective.smooth(at, 0.01);
   const double turned = objective.best_turn(at, 2).value;
@@ -301,7 +307,8 @@ TEST_CASE("the smooth surrogate lies above, tends to P/S, and has the gradient i
     for (int k = 0; k < 3; ++k) {
       const Vector3 turn = Vector3::Unit(k) * 1e-5;
       const double slope = (objective.smooth(rotation_from_vector(turn) * r, 0.1).value -
-                            objective.smooth(rotation_from_vector(-turn) * r, 0.1).value) / 2e-5;
+                            objective.smooth(rotation_from_vector(-turn) * r, 0.1).value) /
+                           2e-5;
       REQUIRE(slope == Approx(gradient[k]).margin(1e-8));
     }
   }

@@ -1,9 +1,8 @@
-#include "rectilin/optim/rotation.h"
-
 #include <cmath>
 #include <numbers>
 
 #include "catch.h"
+#include "rectilin/optim/rotation.h"
 
 using namespace rectilin;
 
@@ -12,8 +11,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 bool is_rotation(const Eigen::Matrix3d& m) {
-  return (m * m.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-14 &&
-         std::abs(m.determinant() - 1) < 1e-14;
+  return (m * m.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-14 && std::abs(m.determinant() - 1) < 1e-14;
 }
 
 /// A turn of the coordinate frame about one coordinate axis.

@@ -51,9 +51,7 @@ bool is_watertight(const Mesh& mesh) {
   for (const auto& t : mesh.triangles)
     for (int i = 0; i < 3; ++i)
       if (!edges.insert({t[i], t[(i + 1) % 3]}).second) return false;
-  return std::all_of(edges.begin(), edges.end(), [&](const auto& e) {
-    return edges.count({e.second, e.first}) == 1;
-  });
+  return std::all_of(edges.begin(), edges.end(), [&](const auto& e) { return edges.count({e.second, e.first}) == 1; });
 }
 
 /// V - E + F of a closed mesh, every vertex being in use.
@@ -80,18 +78,13 @@ std::string error_of(const std::string& text) {
   return "no error";
 }
 
-bool mentions(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+bool mentions(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-bool same_bits(const Mesh& a, const Mesh& b) {
-  return a.vertices == b.vertices && a.triangles == b.triangles;
-}
+bool same_bits(const Mesh& a, const Mesh& b) { return a.vertices == b.vertices && a.triangles == b.triangles; }
 
 /// The errors of a sequence of shapes, each twice as fine as the one before, fall by a factor of
 /// four.
-void check_second_order(const std::vector<Mesh>& meshes, double (*value)(const Mesh&),
-                        double limit) {
+void check_second_order(const std::vector<Mesh>& meshes, double (*value)(const Mesh&), double limit) {
   std::vector<double> errors;
   for (const auto& mesh : meshes) errors.push_back(std::abs(value(mesh) - limit));
   for (std::size_t i = 1; i < errors.size(); ++i) {
@@ -167,17 +160,15 @@ TEST_CASE("closed shapes are watertight, face outward and have no empty triangle
 TEST_CASE("spheres of any size and kind are closed, convex and well formed", "[shapes]") {
   std::vector<std::string> texts{"sphere?subdivisions=0", "sphere?subdivisions=4",
                                  "sphere?kind=latlong&slices=7&stacks=5"};
-  for (int faces = 8; faces < 300; ++faces)
-    texts.push_back("sphere?kind=even&faces=" + std::to_string(faces));
+  for (int faces = 8; faces < 300; ++faces) texts.push_back("sphere?kind=even&faces=" + std::to_string(faces));
   texts.push_back("sphere?kind=even&faces=20000");
   for (const auto& text : texts) {
     INFO(text);
     const Mesh mesh = shape(text);
     CHECK(is_watertight(mesh));
     CHECK(euler_characteristic(mesh) == 2);
-    CHECK(std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
-      return area_vector(mesh, t).dot(mesh.vertices[t[0]]) > 0;
-    }));
+    CHECK(std::all_of(mesh.triangles.begin(), mesh.triangles.end(),
+                      [&](const Triangle& t) { return area_vector(mesh, t).dot(mesh.vertices[t[0]]) > 0; }));
     CHECK(std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
                       [](const Vector3& p) { return std::abs(p.norm() - 1) < 1e-14; }));
   }
@@ -191,8 +182,7 @@ TEST_CASE("the octahedral sphere keeps the octahedron's symmetries", "[shapes]")
   const auto triangle_keys = [&](const Eigen::Matrix3d& map) {
     std::set<std::set<std::array<long, 3>>> keys;
     for (const auto& t : mesh.triangles)
-      keys.insert({key(map * mesh.vertices[t[0]]), key(map * mesh.vertices[t[1]]),
-                   key(map * mesh.vertices[t[2]])});
+      keys.insert({key(map * mesh.vertices[t[0]]), key(map * mesh.vertices[t[1]]), key(map * mesh.vertices[t[2]])});
     return keys;
   };
   Eigen::Matrix3d cyclic, mirror = Eigen::Vector3d(-1, 1, 1).asDiagonal(), exchange;
@@ -210,9 +200,8 @@ TEST_CASE("solids with flat sides have their exact volumes and areas", "[shapes]
     std::string text;
     double volume, area;
   };
-  const double pyramid_slope =
-      std::sqrt(1.5 * 1.5 + 1);                 // of a side's triangle: base 2, height 1.5
-  const double hexagon = 1.5 * std::sqrt(3.0);  // of radius 1
+  const double pyramid_slope = std::sqrt(1.5 * 1.5 + 1);  // of a side's triangle: base 2, height 1.5
+  const double hexagon = 1.5 * std::sqrt(3.0);            // of radius 1
   const std::vector<Known> all{
       {"box?x=1&y=2&z=3", 6, 22},
       {"box?x=1&y=2&z=3&faces=5000", 6, 22},
@@ -247,15 +236,12 @@ TEST_CASE("round shapes converge at second order", "[shapes]") {
     for (const auto& fineness : finenesses) meshes.push_back(shape(text + fineness));
     return meshes;
   };
-  const std::vector<std::string> latlong{"&slices=32&stacks=16", "&slices=64&stacks=32",
-                                         "&slices=128&stacks=64"};
+  const std::vector<std::string> latlong{"&slices=32&stacks=16", "&slices=64&stacks=32", "&slices=128&stacks=64"};
   const std::vector<std::string> even{"&faces=1000", "&faces=4000", "&faces=16000"};
-  const std::vector<std::string> octahedral{"&subdivisions=3", "&subdivisions=4",
-                                            "&subdivisions=5"};
+  const std::vector<std::string> octahedral{"&subdivisions=3", "&subdivisions=4", "&subdivisions=5"};
 
-  for (const auto& meshes :
-       {refined("sphere?radius=2", octahedral), refined("sphere?radius=2&kind=latlong", latlong),
-        refined("sphere?radius=2&kind=even", even)}) {
+  for (const auto& meshes : {refined("sphere?radius=2", octahedral), refined("sphere?radius=2&kind=latlong", latlong),
+                             refined("sphere?radius=2&kind=even", even)}) {
     check_second_order(meshes, volume, 32 * pi / 3);
     check_second_order(meshes, area, 16 * pi);
   }
@@ -270,10 +256,8 @@ TEST_CASE("round shapes converge at second order", "[shapes]") {
 
   // A cube, its core of edge c grown by r (Steiner's formula).
   const double r = 0.2, c = 1 - 2 * r;
-  const auto cubes =
-      refined("filleted-cube?radius=0.2", {"&segments=4", "&segments=8", "&segments=16"});
-  check_second_order(cubes, volume,
-                     c * c * c + 6 * c * c * r + 3 * c * pi * r * r + 4 * pi / 3 * r * r * r);
+  const auto cubes = refined("filleted-cube?radius=0.2", {"&segments=4", "&segments=8", "&segments=16"});
+  check_second_order(cubes, volume, c * c * c + 6 * c * c * r + 3 * c * pi * r * r + 4 * pi / 3 * r * r * r);
   check_second_order(cubes, area, 6 * c * c + 6 * c * pi * r + 4 * pi * r * r);
 
   const auto cylinders = refined("cylinder?radius=1", {"&sides=16", "&sides=32", "&sides=64"});
@@ -282,17 +266,14 @@ TEST_CASE("round shapes converge at second order", "[shapes]") {
 }
 
 TEST_CASE("a fully filleted cube is a sphere and keeps the cube's extents", "[shapes]") {
-  for (const auto& p : shape("filleted-cube?radius=0.5").vertices)
-    CHECK(p.norm() == Approx(0.5).epsilon(1e-14));
-  for (const auto& text :
-       {"filleted-cube?radius=0.1", "filleted-cube?radius=0.5", "filleted-cube?radius=0"})
+  for (const auto& p : shape("filleted-cube?radius=0.5").vertices) CHECK(p.norm() == Approx(0.5).epsilon(1e-14));
+  for (const auto& text : {"filleted-cube?radius=0.1", "filleted-cube?radius=0.5", "filleted-cube?radius=0"})
     CHECK((extents(shape(text)) - Vector3::Ones()).norm() < 1e-14);
 }
 
 TEST_CASE("rectilinear solids have axis-parallel faces only", "[shapes]") {
-  for (const auto& text :
-       {"box?x=3&faces=300", "lshape?notch=0.3", "stairs?steps=7", "filleted-cube?radius=0",
-        "stepped-pyramid?steps=9", "cut-cube?direction=1,0,0"})
+  for (const auto& text : {"box?x=3&faces=300", "lshape?notch=0.3", "stairs?steps=7", "filleted-cube?radius=0",
+                           "stepped-pyramid?steps=9", "cut-cube?direction=1,0,0"})
     CHECK(has_axis_parallel_faces(shape(text)));
   CHECK_FALSE(has_axis_parallel_faces(shape("pyramid")));
 }
@@ -320,8 +301,8 @@ TEST_CASE("an open cylinder lacks its ends", "[shapes]") {
 }
 
 TEST_CASE("the same spec gives the same bits, another seed another shape", "[shapes]") {
-  for (const std::string text : {"blob?faces=500", "soup?faces=50", "box?noise=0.1",
-                                 "box?rotate=random", "lshape?noise=0.01&rotate=random"}) {
+  for (const std::string text :
+       {"blob?faces=500", "soup?faces=50", "box?noise=0.1", "box?rotate=random", "lshape?noise=0.01&rotate=random"}) {
     INFO(text);
     const auto with = [&](const std::string& settings) { return shape(text + "&" + settings); };
     CHECK(same_bits(with("seed=5"), with("seed=5")));
@@ -375,18 +356,15 @@ TEST_CASE("every listed shape is made by its name, with defaults as described", 
     CHECK_FALSE(info.help.empty());
     const Mesh mesh = shape(info.name);
     CHECK(area(mesh) > 0);
-    CHECK(std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
-      return *std::max_element(t.begin(), t.end()) < mesh.vertices.size();
-    }));
-    CHECK(std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
-                      [](const Vector3& p) { return p.allFinite(); }));
+    CHECK(std::all_of(mesh.triangles.begin(), mesh.triangles.end(),
+                      [&](const Triangle& t) { return *std::max_element(t.begin(), t.end()) < mesh.vertices.size(); }));
+    CHECK(std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](const Vector3& p) { return p.allFinite(); }));
     Spec spec{info.name};
     for (const auto& parameter : info.parameters) spec.settings[parameter.name] = parameter.value;
     CHECK(same_bits(make_shape(spec), mesh));
   }
-  for (const std::string name :
-       {"box", "pyramid", "sphere", "cylinder", "ellipsoid", "torus", "lshape", "stairs",
-        "cut-cube", "filleted-cube", "stepped-pyramid", "blob", "soup"})
+  for (const std::string name : {"box", "pyramid", "sphere", "cylinder", "ellipsoid", "torus", "lshape", "stairs",
+                                 "cut-cube", "filleted-cube", "stepped-pyramid", "blob", "soup"})
     CHECK(names.count(name) == 1);
 }
 

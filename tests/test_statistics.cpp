@@ -1,10 +1,9 @@
 // Statistics against values known in closed form or from tables.
-#include "rectilin/experiments/statistics.h"
-
 #include <cmath>
 #include <limits>
 
 #include "catch.h"
+#include "rectilin/experiments/statistics.h"
 
 namespace rectilin {
 namespace {
@@ -97,8 +96,7 @@ TEST_CASE("the exact rank-sum test is near the normal approximation for large sa
   const RankSum test = rank_sum(a, b);
   const double pairs = kSize * kSize, deviation = std::sqrt(pairs * (2 * kSize + 1) / 12);
   const double z = (pairs / 2 - test.u - 0.5) / deviation;
-  CHECK(test.p ==
-        Approx(std::erfc(z / std::sqrt(2.0))).epsilon(0.1));  // what the approximation is worth in this tail
+  CHECK(test.p == Approx(std::erfc(z / std::sqrt(2.0))).epsilon(0.1));  // what the approximation is worth in this tail
 }
 
 TEST_CASE("Holm's correction") {

@@ -1,11 +1,10 @@
 // Proofs are accepted as written, and refused if anything in them is changed.
-#include "rectilin/measure/verify.h"
-
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
 #include "rectilin/measure/projected_area.h"
 #include "rectilin/measure/source.h"
+#include "rectilin/measure/verify.h"
 #include "rectilin/optim/certify.h"
 
 using namespace rectilin;
@@ -83,7 +82,11 @@ TEST_CASE("verify refuses a proof that was tampered with", "[verify]") {
   require_refused(changed([](Json& p) { p["tree"] = "f"; }), mesh, "general one");
   require_refused(changed([](Json& p) { p["tree"] = std::string(1000000, 'x'); }), mesh, "not covered");
   require_refused(changed([](Json& p) { p["leaves"][3][1][1] = -1.0; }), mesh, "negative");
-  require_refused(changed([](Json& p) { p["leaves"][3][1][1] = 0.5; p["leaves"][3][1][0] = 1u << 30; }), mesh, "direction");
+  require_refused(changed([](Json& p) {
+                    p["leaves"][3][1][1] = 0.5;
+                    p["leaves"][3][1][0] = 1u << 30;
+                  }),
+                  mesh, "direction");
   require_refused(changed([](Json& p) { p["leaves"][3][1][0] = -1; }), mesh, "direction");
   require_refused(changed([](Json& p) { p["rotation"][0][0] = 2.0; }), mesh, "rotation");
   require_refused(changed([](Json& p) { p["version"] = 2; }), mesh, "version");
@@ -98,6 +101,7 @@ TEST_CASE("verify refuses every truncation without a crash", "[verify]") {
   REQUIRE(verify_certificate(text, mesh).accepted);
   for (std::size_t length = 0; length < text.size(); length += 1 + length / 50)
     REQUIRE_FALSE(verify_certificate(text.substr(0, length), mesh).accepted);
-  for (const char* nonsense : {"", "[]", "null", "{}", "[[[[[[", "\"l\"", "{\"format\":\"rectilin certificate\",\"version\":1}"})
+  for (const char* nonsense :
+       {"", "[]", "null", "{}", "[[[[[[", "\"l\"", "{\"format\":\"rectilin certificate\",\"version\":1}"})
     REQUIRE_FALSE(verify_certificate(nonsense, mesh).accepted);
 }

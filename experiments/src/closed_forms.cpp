@@ -49,8 +49,7 @@ double ellipsoid_area(double a, double b, double c) {
   // The modulus; 1 for y = x up to rounding, where it must not exceed 1.
   const double k = std::min(1.0, std::sqrt(std::max(0.0, 1 - z / y * (z / y))) / sine);
   return 2 * pi * z * z +
-         2 * pi * x * y / sine *
-             (std::ellint_2(k, phi) * sine * sine + std::ellint_1(k, phi) * (1 - sine * sine));
+         2 * pi * x * y / sine * (std::ellint_2(k, phi) * sine * sine + std::ellint_1(k, phi) * (1 - sine * sine));
 }
 
 double ellipsoid_rectilinearity(double a, double b, double c) {
@@ -71,8 +70,6 @@ Mesh tilted_top_cube(double tilt) {
   return mesh;
 }
 
-double tilted_top_rectilinearity(double tilt) {
-  return from_areas(6, 5 + std::cos(tilt) + std::sin(tilt));
-}
+double tilted_top_rectilinearity(double tilt) { return from_areas(6, 5 + std::cos(tilt) + std::sin(tilt)); }
 
 }  // namespace rectilin

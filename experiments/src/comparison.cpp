@@ -175,10 +175,9 @@ class Comparison {
     const auto keep = [&](const Finished& finished) {
       if (!finished.second->is_null()) record_run(tasks_[finished.first], *finished.second);
     };
-    tbb::parallel_pipeline(at_once,
-                           tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, take) &
-                               tbb::make_filter<std::size_t, Finished>(tbb::filter_mode::parallel, perform) &
-                               tbb::make_filter<Finished, void>(tbb::filter_mode::serial_out_of_order, keep));
+    tbb::parallel_pipeline(at_once, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, take) &
+                                        tbb::make_filter<std::size_t, Finished>(tbb::filter_mode::parallel, perform) &
+                                        tbb::make_filter<Finished, void>(tbb::filter_mode::serial_out_of_order, keep));
   }
 
   /// The run's line; null if it was stopped.

@@ -9,9 +9,8 @@ namespace rectilin {
 const std::vector<Experiment>& experiments() {
   using namespace figures;
   static const std::vector<Experiment> all{
-      fig1(),  fig5(),  fig6(),  fig7(),  fig8(),  fig9(),
-      fig10(), fig11(), fig12(), fig13(), fig14(), fig15(),
-      gap(),   shortfall(),
+      fig1(),  fig5(),  fig6(),  fig7(),  fig8(),  fig9(), fig10(),
+      fig11(), fig12(), fig13(), fig14(), fig15(), gap(),  shortfall(),
   };
   return all;
 }
@@ -25,10 +24,8 @@ const Experiment& find_experiment(const std::string& name) {
   throw ParameterError("no experiment '" + name + "'; there are " + names);
 }
 
-ExperimentOutcome run_experiment(const Experiment& experiment, const Json& settings,
-                                 const ExperimentContext& context,
-                                 const std::filesystem::path& folder,
-                                 const std::string& command_line) {
+ExperimentOutcome run_experiment(const Experiment& experiment, const Json& settings, const ExperimentContext& context,
+                                 const std::filesystem::path& folder, const std::string& command_line) {
   if (!context.meshes.empty() && experiment.takes.empty())
     throw ParameterError(experiment.name + " makes its own meshes and takes no others");
   const ExperimentResult result = experiment.run(settings, context);
@@ -44,8 +41,7 @@ ExperimentOutcome run_experiment(const Experiment& experiment, const Json& setti
   for (const Plot& plot : result.plots) {
     plot.figure.write(folder, plot.name);
     names.push_back(plot.name);
-    pictures.push_back(
-        {{"name", plot.name}, {"caption", plot.caption}, {"width", plot.figure.width()}});
+    pictures.push_back({{"name", plot.name}, {"caption", plot.caption}, {"width", plot.figure.width()}});
   }
   const Json all = {{"experiment", experiment.name},
                     {"title", experiment.title},
@@ -59,8 +55,7 @@ ExperimentOutcome run_experiment(const Experiment& experiment, const Json& setti
                     {"pictures", pictures},
                     {"provenance", provenance(command_line)}};
   // Names of files may be in no encoding at all: what is not UTF-8 is replaced.
-  write_text(folder / (experiment.name + ".json"),
-             all.dump(1, ' ', false, Json::error_handler_t::replace) + '\n');
+  write_text(folder / (experiment.name + ".json"), all.dump(1, ' ', false, Json::error_handler_t::replace) + '\n');
   return {result.says, result.errors, draw_all(folder, names)};
 }
 

@@ -19,8 +19,7 @@ std::string picture(const Json& about, const fs::path& folder) {
   std::string files = "Data: " + link(name + ".csv", "CSV");
   if (fs::exists(folder / (name + ".gp"))) files += ", " + link(name + ".gp", "gnuplot");
   files += ".";
-  if (!fs::exists(folder / (name + ".svg")))
-    return paragraph("(No picture.) " + escape(caption) + " " + files);
+  if (!fs::exists(folder / (name + ".svg"))) return paragraph("(No picture.) " + escape(caption) + " " + files);
   return html::picture(name + ".svg", caption, files, about.at("width"));
 }
 
@@ -36,15 +35,12 @@ std::string section(const Json& experiment, const fs::path& folder) {
   const std::string name = experiment.at("experiment"), title = experiment.at("title");
   std::string pictures;
   for (const Json& about : experiment.at("pictures")) pictures += picture(about, folder);
-  std::string text = "<h2 id=\"" + escape(name) + "\">" + escape(name) + ": " + escape(title) +
-                     "</h2>\n" + paragraph(escape(experiment.at("says").get<std::string>())) +
-                     html::side_by_side(pictures);
-  for (const Json& error : experiment.at("errors"))
-    text += paragraph(escape(error.get<std::string>()));
-  return text +
-         html::details("Settings, command, machine, versions",
-                       "<pre>" + escape(record(experiment).dump(2)) + "</pre>\n" +
-                           paragraph("All numbers: " + link(name + ".json", name + ".json")));
+  std::string text = "<h2 id=\"" + escape(name) + "\">" + escape(name) + ": " + escape(title) + "</h2>\n" +
+                     paragraph(escape(experiment.at("says").get<std::string>())) + html::side_by_side(pictures);
+  for (const Json& error : experiment.at("errors")) text += paragraph(escape(error.get<std::string>()));
+  return text + html::details("Settings, command, machine, versions",
+                              "<pre>" + escape(record(experiment).dump(2)) + "</pre>\n" +
+                                  paragraph("All numbers: " + link(name + ".json", name + ".json")));
 }
 
 std::string introduction() {
@@ -69,13 +65,11 @@ void write_experiment_page(const fs::path& folder) {
   for (const Experiment& experiment : experiments()) {
     const Json found = stored(experiment.name, folder);
     if (found.is_null()) continue;
-    contents += "<li>" + link("#" + experiment.name, experiment.name) + ": " +
-                escape(experiment.title) + "</li>\n";
+    contents += "<li>" + link("#" + experiment.name, experiment.name) + ": " + escape(experiment.title) + "</li>\n";
     sections += section(found, folder);
   }
-  write_text(folder / "index.html",
-             html::page("Rectilinearity: the experiments",
-                        introduction() + "<ul>\n" + contents + "</ul>\n" + sections));
+  write_text(folder / "index.html", html::page("Rectilinearity: the experiments",
+                                               introduction() + "<ul>\n" + contents + "</ul>\n" + sections));
 }
 
 }  // namespace rectilin

@@ -95,7 +95,9 @@ std::string plot(const Panel& panel, double width) {
   for (const auto& curve : panel.curves) {
     next();
     text << "'@NAME@.csv' skip 1 using " << curve.x << ':' << curve.y << " with "
-         << (curve.steps ? "steps " : curve.points ? "linespoints pt 7 ps 0.6 " : "lines ")
+         << (curve.steps    ? "steps "
+             : curve.points ? "linespoints pt 7 ps 0.6 "
+                            : "lines ")
          << (curve.faint ? "lc rgb '#c8c8c8' lw 1 dt solid" : line(curve.style, width));
     if (curve.label.empty()) text << " notitle";
     else text << " title " << quoted(shortened(curve.label, kLegend)) << " noenhanced";
@@ -121,8 +123,7 @@ std::string single(const std::string& title, const Panel& panel, Figure::Size si
   const int columns = legend_columns(panel);
   std::ostringstream text;
   text << terminal(size, 13) << "set title " << quoted(title) << " noenhanced\n"
-       << "set key bmargin center horizontal Left reverse samplen 2.5 font ',11' maxcols " << columns
-       << " noenhanced\n"
+       << "set key bmargin center horizontal Left reverse samplen 2.5 font ',11' maxcols " << columns << " noenhanced\n"
        << "set grid lc rgb '#e0e0e0' lw 1\nset border 3\nset tics nomirror\n"
        << axis("x", panel.x, false) << axis("y", panel.y, false) << plot(panel, 2.2);
   return text.str();

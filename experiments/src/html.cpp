@@ -123,8 +123,8 @@ std::string page(const std::string& title, const std::string& body) {
          "<head>\n"
          "<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-         escape(title) + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<h1>" + escape(title) +
-         "</h1>\n" + body + "<script>" + kOpenForPrint + "</script>\n</body>\n</html>\n";
+         escape(title) + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<h1>" + escape(title) + "</h1>\n" +
+         body + "<script>" + kOpenForPrint + "</script>\n</body>\n</html>\n";
 }
 
 }  // namespace rectilin::html

@@ -23,10 +23,11 @@ std::string picture(const PageFigure& figure, const std::filesystem::path& folde
 std::string introduction(const Results& results) {
   const Plan& plan = results.plan;
   const std::size_t planned = plan.meshes.size() * plan.entries.size() * static_cast<std::size_t>(plan.runs);
-  std::string text = paragraph(
-      std::to_string(plan.entries.size()) + " optimizers, " + std::to_string(plan.meshes.size()) + " meshes, " +
-      std::to_string(plan.runs) + " runs of at most " + whole_number(static_cast<double>(plan.budget)) + " evaluations each, seed " +
-      std::to_string(plan.seed) + ". Run k of every optimizer sees the same random rotation of the mesh.");
+  std::string text =
+      paragraph(std::to_string(plan.entries.size()) + " optimizers, " + std::to_string(plan.meshes.size()) +
+                " meshes, " + std::to_string(plan.runs) + " runs of at most " +
+                whole_number(static_cast<double>(plan.budget)) + " evaluations each, seed " +
+                std::to_string(plan.seed) + ". Run k of every optimizer sees the same random rotation of the mesh.");
   if (results.runs.size() < planned)
     text += paragraph("<b>Incomplete:</b> " + std::to_string(results.runs.size()) + " of " + std::to_string(planned) +
                       " runs are there.");
@@ -84,9 +85,8 @@ std::string comparison_page(const Results& results, const Summary& summary, cons
   body += heading("Convergence") + mesh_sections(results, figures, folder);
   body += heading("Failures") + failures_html(results);
   body += heading("Files") + files_html();
-  body += heading("Provenance") +
-          html::details("Versions, processor, parameters, seeds, command lines",
-                        "<pre>" + escape(provenance.dump(2)) + "</pre>\n");
+  body += heading("Provenance") + html::details("Versions, processor, parameters, seeds, command lines",
+                                                "<pre>" + escape(provenance.dump(2)) + "</pre>\n");
   return html::page("Comparison of optimizers", body);
 }
 

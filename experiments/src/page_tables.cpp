@@ -236,9 +236,10 @@ std::string genetic_html(const Results& results) {
         return r->trace.gap_after(Cost::kEvaluations, generation_150(r)) - r->trace.final_gap() > step;
       };
     };
-    table.row({entry_name(results, e), whole_number(static_cast<double>(runs.size())), percent(share_of(runs, within(1e-3))),
-               percent(share_of(runs, within(1e-6))), percent(share_of(longer, rises(1e-3))),
-               percent(share_of(longer, rises(1e-4))), percent(share_of(longer, rises(1e-6)))});
+    table.row({entry_name(results, e), whole_number(static_cast<double>(runs.size())),
+               percent(share_of(runs, within(1e-3))), percent(share_of(runs, within(1e-6))),
+               percent(share_of(longer, rises(1e-3))), percent(share_of(longer, rises(1e-4))),
+               percent(share_of(longer, rises(1e-6)))});
   }
   if (!any) return "";
   return html::heading("The paper's genetic algorithm") + table.text() +
@@ -252,9 +253,9 @@ std::string usage_html(const Results& results, const Summary& summary) {
                "µs an evaluation"});
   for (const std::size_t e : summary.order(last_budget(summary))) {
     const Usage& u = summary.usage[e];
-    table.row({entry_name(results, e), whole_number(u.evaluations), whole_number(u.values), whole_number(u.cuts), whole_number(u.smooths),
-               whole_number(u.turns), printed("%.4f", u.seconds), printed("%.4f", u.cpu_seconds),
-               printed("%.2f", 1e6 * u.cpu_seconds / u.evaluations)});
+    table.row({entry_name(results, e), whole_number(u.evaluations), whole_number(u.values), whole_number(u.cuts),
+               whole_number(u.smooths), whole_number(u.turns), printed("%.4f", u.seconds),
+               printed("%.4f", u.cpu_seconds), printed("%.2f", 1e6 * u.cpu_seconds / u.evaluations)});
   }
   return table.text() +
          paragraph(

@@ -94,8 +94,7 @@ Plan plan_from_json(const Json& json) {
 std::string difference(const Plan& stored, const Plan& asked) {
   const Json a = to_json(stored), b = to_json(asked);
   for (const auto& [key, value] : a.items())
-    if (value != b[key])
-      return value.is_array() ? "other " + key : key + " " + value.dump() + ", not " + b[key].dump();
+    if (value != b[key]) return value.is_array() ? "other " + key : key + " " + value.dump() + ", not " + b[key].dump();
   return "no difference";
 }
 

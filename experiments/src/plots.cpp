@@ -211,8 +211,8 @@ Plot profile_plot(const Results& results, const Summary& summary) {
   constexpr int kPoints = 160;
   for (int i = 0; i <= kPoints; ++i) grid.push_back(std::pow(largest, static_cast<double>(i) / kPoints));
   Plot plot = distribution_plot(results, "profile", "Performance profile",
-                                {"factor of the best expected running time", true, 1, largest}, "share of problems", grid,
-                                ratios);
+                                {"factor of the best expected running time", true, 1, largest}, "share of problems",
+                                grid, ratios);
   plot.caption =
       "Share of the problems (a mesh and a target) on which an optimizer's expected running time is within a factor "
       "of the best optimizer's. Left end: how often it is the best; right end: how much it solves at all.";

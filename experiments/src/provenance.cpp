@@ -26,11 +26,11 @@ std::string dotted(int a, int b, int c) {
 }
 
 Json libraries() {
-  Json all = {{"Eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
-              {"oneTBB", dotted(TBB_VERSION_MAJOR, TBB_VERSION_MINOR, TBB_VERSION_PATCH)},
-              {"NLopt", dotted(nlopt::version_major(), nlopt::version_minor(), nlopt::version_bugfix())},
-              {"nlohmann_json",
-               dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)}};
+  Json all = {
+      {"Eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+      {"oneTBB", dotted(TBB_VERSION_MAJOR, TBB_VERSION_MINOR, TBB_VERSION_PATCH)},
+      {"NLopt", dotted(nlopt::version_major(), nlopt::version_minor(), nlopt::version_bugfix())},
+      {"nlohmann_json", dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)}};
 #ifdef CERES_VERSION_MAJOR
   all["Ceres"] = dotted(CERES_VERSION_MAJOR, CERES_VERSION_MINOR, CERES_VERSION_REVISION);
 #endif

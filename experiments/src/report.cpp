@@ -56,13 +56,13 @@ Csv runs_table(const Results& results) {
 }
 
 Csv meshes_table(const Results& results) {
-  Csv table(with_rotation({"mesh", "error", "faces", "directions", "area", "lower", "upper",
-                           "certificate_evaluations", "certificate_seconds"}));
+  Csv table(with_rotation({"mesh", "error", "faces", "directions", "area", "lower", "upper", "certificate_evaluations",
+                           "certificate_seconds"}));
   for (const MeshResult& mesh : results.meshes) {
     const bool known = mesh.error.empty();
     std::vector<Csv::Cell> row = {mesh.name, mesh.error};
-    for (const double x : {static_cast<double>(mesh.faces), static_cast<double>(mesh.directions), mesh.area,
-                           mesh.lower, mesh.upper, mesh.evaluations, mesh.seconds})
+    for (const double x : {static_cast<double>(mesh.faces), static_cast<double>(mesh.directions), mesh.area, mesh.lower,
+                           mesh.upper, mesh.evaluations, mesh.seconds})
       row.push_back(known ? x : NAN);
     for (const Csv::Cell& cell : rotation_cells(mesh.rotation)) row.push_back(known ? cell : Csv::Cell(""));
     table.row(row);

@@ -160,8 +160,7 @@ std::vector<std::size_t> Summary::order(std::size_t budget) const {
   std::vector<std::size_t> order(usage.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto& standing = standings[budget];
-  std::ranges::stable_sort(order, {},
-                           [&](std::size_t e) { return std::pair(standing[e].mean_rank, standing[e].gap); });
+  std::ranges::stable_sort(order, {}, [&](std::size_t e) { return std::pair(standing[e].mean_rank, standing[e].gap); });
   return order;
 }
 

@@ -64,13 +64,9 @@ class Buckets {
     const std::size_t task = std::max(kTask, faces_.size / kMostTasks + 1);
     const std::size_t tasks = (faces_.size + task - 1) / task;
     std::vector<std::vector<Planar>> parts(tasks);
-    const auto sum_part = [&](std::size_t i) {
-      parts[i] = sums(i * task, std::min((i + 1) * task, faces_.size));
-    };
-    if (tasks > 1)
-      tbb::parallel_for(std::size_t{0}, tasks, sum_part);
-    else
-      sum_part(0);
+    const auto sum_part = [&](std::size_t i) { parts[i] = sums(i * task, std::min((i + 1) * task, faces_.size)); };
+    if (tasks > 1) tbb::parallel_for(std::size_t{0}, tasks, sum_part);
+    else sum_part(0);
     for (std::size_t b = 0; b < count_; ++b) {
       before_[b + 1] = before_[b];
       for (const auto& part : parts) before_[b + 1] = before_[b + 1] + part[b];
@@ -131,8 +127,7 @@ class Buckets {
       if (std::none_of(&bucket_of_[begin], &bucket_of_[begin] + size, is_open)) continue;
       view_faces(faces_.slice(begin, begin + size), view_, x.data(), y.data(), bucket.data());
       for (std::size_t i = 0; i < size; ++i)
-        if (open[bucket[i]])
-          kinks.push_back({bucket[i], QuadrantView::place(x[i], y[i]), {x[i], y[i]}});
+        if (open[bucket[i]]) kinks.push_back({bucket[i], QuadrantView::place(x[i], y[i]), {x[i], y[i]}});
     }
     std::ranges::sort(kinks, [](const Kink& a, const Kink& b) {
       return a.bucket != b.bucket ? a.bucket < b.bucket : a.place < b.place;
@@ -160,8 +155,7 @@ class Buckets {
 }  // namespace
 
 BestTurn ProjectedArea::best_turn(const Rotation& rotation, int k) const {
-  const Planar at =
-      Buckets(vectors_, rotation.axis((k + 1) % 3), rotation.axis((k + 2) % 3)).least().at;
+  const Planar at = Buckets(vectors_, rotation.axis((k + 1) % 3), rotation.axis((k + 2) % 3)).least().at;
   // The running sums lose digits: the value returned is the one that values() gives there. The
   // quaternion keeps long chains of turns orthonormal.
   const Vector3 turn = std::atan2(at.y, at.x) * Vector3::Unit(k);

@@ -17,9 +17,7 @@ constexpr int kBits = 16;  // of each coordinate of a cell
 /// A fixed turn without meaning but for this: walls between cells, and the hemisphere's rim, must not pass
 /// through directions that meshes are full of, such as the coordinate axes, or rounding would put equal
 /// normals on both sides of a wall.
-Eigen::Matrix3d arbitrary_turn() {
-  return Eigen::Quaterniond(0.61, 0.37, -0.53, 0.29).normalized().toRotationMatrix();
-}
+Eigen::Matrix3d arbitrary_turn() { return Eigen::Quaterniond(0.61, 0.37, -0.53, 0.29).normalized().toRotationMatrix(); }
 
 /// Four levels of the Hilbert curve (Hilbert 1891) at once: the place of a sub-cell among 256, and how the
 /// curve lies in it. Bit 0 of an orientation: mirrored in both coordinates; bit 1: coordinates swapped.

@@ -13,9 +13,7 @@ struct FaceSpan {
   const T *x, *y, *z;
   std::size_t size;
 
-  FaceSpan slice(std::size_t begin, std::size_t end) const {
-    return {x + begin, y + begin, z + begin, end - begin};
-  }
+  FaceSpan slice(std::size_t begin, std::size_t end) const { return {x + begin, y + begin, z + begin, end - begin}; }
 };
 
 /// Sizes are multiples of this many vectors: one cache line, the widest register of any instruction
@@ -39,8 +37,8 @@ inline constexpr std::size_t kSlab = 192;
 /// For every direction k, adds kOutputs sums over `faces` and `tail` to sums[kOutputs k], ...
 /// `tail` is either empty or the padded end of the faces. Sums are in units of the slope's scale.
 template <class T>
-using FlatKernel = void (*)(const FaceSpan<T>& faces, const FaceSpan<T>& tail,
-                            const Slope<T>* slopes, std::size_t directions, double* sums);
+using FlatKernel = void (*)(const FaceSpan<T>& faces, const FaceSpan<T>& tail, const Slope<T>* slopes,
+                            std::size_t directions, double* sums);
 
 /// The three sums there are; s is a x + b y + z (see flat_slope.h for their use).
 enum FlatQuantity : int {

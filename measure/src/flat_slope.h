@@ -47,8 +47,7 @@ Slope<T> slope(const Vector3& u, double scale) {
 // sign flips.
 
 /// h(u) from `part` = sum min(a x + b y + z, 0). Zero at least, whatever the rounding.
-inline double value_from_negative(const Vector3& total, const Vector3& u, double scale,
-                                  double part) {
+inline double value_from_negative(const Vector3& total, const Vector3& u, double scale, double part) {
   return std::max(0.0, std::copysign(1.0, scale) * total.dot(u) - 2 * std::abs(scale) * part);
 }
 

@@ -17,16 +17,12 @@ template <class T>
 struct FlatFaces {
   FaceSpan<T> whole, tail;
 
-  std::size_t chunks() const {
-    return std::max<std::size_t>(1, (whole.size + kChunk - 1) / kChunk);
-  }
+  std::size_t chunks() const { return std::max<std::size_t>(1, (whole.size + kChunk - 1) / kChunk); }
 
-  void sum_chunk(FlatKernel<T> kernel, std::size_t chunk, std::span<const Slope<T>> slopes,
-                 double* sums) const {
+  void sum_chunk(FlatKernel<T> kernel, std::size_t chunk, std::span<const Slope<T>> slopes, double* sums) const {
     const std::size_t begin = chunk * kChunk, end = std::min(begin + kChunk, whole.size);
     const bool last = end == whole.size;
-    kernel(whole.slice(begin, end), tail.slice(0, last ? tail.size : 0), slopes.data(),
-           slopes.size(), sums);
+    kernel(whole.slice(begin, end), tail.slice(0, last ? tail.size : 0), slopes.data(), slopes.size(), sums);
   }
 };
 
@@ -56,9 +52,8 @@ void sum_faces(const FlatFaces<T>& faces, FlatKernel<T> kernel, std::span<const 
     }
   } else {
     std::vector<double> parts(chunks * sums.size());
-    tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
-      faces.sum_chunk(kernel, chunk, slopes, &parts[chunk * sums.size()]);
-    });
+    tbb::parallel_for(std::size_t{0}, chunks,
+                      [&](std::size_t chunk) { faces.sum_chunk(kernel, chunk, slopes, &parts[chunk * sums.size()]); });
     for (std::size_t i = 0; i < parts.size(); ++i) sums[i % sums.size()].add(parts[i]);
   }
 }
@@ -67,8 +62,7 @@ void sum_faces(const FlatFaces<T>& faces, FlatKernel<T> kernel, std::span<const 
 /// result.
 template <class T, class Result, class Finish>
 void evaluate_slab(const FlatFaces<T>& faces, const FlatKernels& kernels, FlatQuantity quantity,
-                   std::span<const Vector3> u, std::span<Result> results, const Finish& finish,
-                   Schedule schedule) {
+                   std::span<const Vector3> u, std::span<Result> results, const Finish& finish, Schedule schedule) {
   const std::size_t width = outputs(quantity);
   std::array<double, kSlab> scale;
   std::array<Slope<T>, kSlab> slopes;
@@ -78,8 +72,7 @@ void evaluate_slab(const FlatFaces<T>& faces, const FlatKernels& kernels, FlatQu
     slopes[k] = slope<T>(u[k], scale[k]);
   }
   std::fill_n(sums.begin(), width * u.size(), TwoSum{});
-  sum_faces<T>(faces, kernels.get<T>(quantity), {slopes.data(), u.size()},
-               {sums.data(), width * u.size()}, schedule);
+  sum_faces<T>(faces, kernels.get<T>(quantity), {slopes.data(), u.size()}, {sums.data(), width * u.size()}, schedule);
   for (std::size_t k = 0; k < u.size(); ++k) results[k] = finish(u[k], scale[k], &sums[width * k]);
 }
 
@@ -91,15 +84,14 @@ void evaluate_all(const FlatFaces<T>& faces, const FlatKernels& kernels, FlatQua
   assert(u.size() == results.size());
   const auto slab = [&](std::size_t begin, std::size_t size, Schedule schedule) {
     const std::size_t count = std::min(size, u.size() - begin);
-    evaluate_slab<T, Result>(faces, kernels, quantity, u.subspan(begin, count),
-                             results.subspan(begin, count), finish, schedule);
+    evaluate_slab<T, Result>(faces, kernels, quantity, u.subspan(begin, count), results.subspan(begin, count), finish,
+                             schedule);
   };
   const std::size_t tasks = (u.size() + kTaskDirections - 1) / kTaskDirections;
   const bool serial = faces.whole.size * u.size() < kSerialPairs;
   if (!serial && tasks > faces.chunks()) {
-    tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
-      slab(task * kTaskDirections, kTaskDirections, Schedule::kSerial);
-    });
+    tbb::parallel_for(std::size_t{0}, tasks,
+                      [&](std::size_t task) { slab(task * kTaskDirections, kTaskDirections, Schedule::kSerial); });
     return;
   }
   const Schedule schedule = serial || faces.chunks() == 1 ? Schedule::kSerial : Schedule::kThreads;
@@ -142,9 +134,8 @@ FlatFaces<float> FlatSum::single_faces() const {
 FlatFaces<double> FlatSum::double_faces() const {
   const std::size_t whole = whole_lanes(size(), kLane<double>);
   const double* tail = tail_.data();
-  return {
-      {vectors_->x.data(), vectors_->y.data(), vectors_->z.data(), whole},
-      {tail, tail + kLane<double>, tail + 2 * kLane<double>, whole < size() ? kLane<double> : 0}};
+  return {{vectors_->x.data(), vectors_->y.data(), vectors_->z.data(), whole},
+          {tail, tail + kLane<double>, tail + 2 * kLane<double>, whole < size() ? kLane<double> : 0}};
 }
 
 template <class Result, class Finish>
@@ -178,8 +169,7 @@ double FlatSum::relative_error_bound(Precision precision) {
   const auto error = [](std::size_t block, double roundoff) {
     return 3 * (static_cast<double>(block + kChunk / block + 8 + 4) * roundoff + 2 * 0x1p-53);
   };
-  return precision == Precision::kSingle ? error(kBlock<float>, 0x1p-24)
-                                         : error(kBlock<double>, 0x1p-53);
+  return precision == Precision::kSingle ? error(kBlock<float>, 0x1p-24) : error(kBlock<double>, 0x1p-53);
 }
 
 std::size_t FlatSum::bytes() const { return sizeof(*this) + single_.capacity() * sizeof(float); }

@@ -61,8 +61,7 @@ HWY_NOINLINE void add_group(const FaceSpan<T>& faces, const Slope<T>* slopes, T*
     const auto x = hn::LoadU(d, faces.x + i);
     const auto y = hn::LoadU(d, faces.y + i);
     const auto z = hn::LoadU(d, faces.z + i);
-    for (int k = 0; k < kCount; ++k)
-      sum[k].add(x, y, z, hn::MulAdd(a[k], x, hn::MulAdd(b[k], y, z)));
+    for (int k = 0; k < kCount; ++k) sum[k].add(x, y, z, hn::MulAdd(a[k], x, hn::MulAdd(b[k], y, z)));
     i += hn::Lanes(d);
   } while (i < faces.size);
   for (int k = 0; k < kCount; ++k) sum[k].add_to_lanes(lanes + k * kLanes<D, Sum>);
@@ -70,8 +69,7 @@ HWY_NOINLINE void add_group(const FaceSpan<T>& faces, const Slope<T>* slopes, T*
 
 // The last, smaller group, found by counting down from the largest possible.
 template <class D, class Sum, int kCount, class T>
-HWY_INLINE void add_rest(const FaceSpan<T>& faces, const Slope<T>* slopes, std::size_t directions,
-                         T* lanes) {
+HWY_INLINE void add_rest(const FaceSpan<T>& faces, const Slope<T>* slopes, std::size_t directions, T* lanes) {
   if constexpr (kCount > 0) {
     if (directions == kCount) {
       add_group<D, Sum, kCount>(faces, slopes, lanes);
@@ -91,8 +89,8 @@ void add_block(const FaceSpan<T>& faces, const Slope<T>* slopes, std::size_t dir
 }
 
 template <class T, template <class> class DSum>
-void kernel(const FaceSpan<T>& faces, const FaceSpan<T>& tail, const Slope<T>* slopes,
-            std::size_t directions, double* sums) {
+void kernel(const FaceSpan<T>& faces, const FaceSpan<T>& tail, const Slope<T>* slopes, std::size_t directions,
+            double* sums) {
   using D = hn::ScalableTag<T>;
   using Sum = DSum<D>;
   HWY_ALIGN T lanes[kSlab * kLanes<D, Sum>];

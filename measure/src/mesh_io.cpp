@@ -34,9 +34,7 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes) {
   return std::nullopt;
 }
 
-bool is_utf16(std::string_view bytes) {
-  return bytes.substr(0, 2) == "\xFF\xFE" || bytes.substr(0, 2) == "\xFE\xFF";
-}
+bool is_utf16(std::string_view bytes) { return bytes.substr(0, 2) == "\xFF\xFE" || bytes.substr(0, 2) == "\xFE\xFF"; }
 
 PolygonSoup read_soup(std::string_view bytes, MeshFormat format, const std::string& name) {
   switch (format) {

@@ -75,8 +75,7 @@ std::vector<std::uint32_t> compact_vertices(PolygonSoup& soup, MeshReport& repor
 }
 
 // Triangulates all polygons that can be kept. `target` is where their vertices have gone.
-std::vector<Triangle> triangulate_all(PolygonSoup& soup, const std::vector<std::uint32_t>& target,
-                                      MeshReport& report) {
+std::vector<Triangle> triangulate_all(PolygonSoup& soup, const std::vector<std::uint32_t>& target, MeshReport& report) {
   std::vector<Triangle> triangles;
   PolygonTriangulator triangulator;
   std::size_t begin = 0;
@@ -118,8 +117,7 @@ std::size_t count_degenerate(const Mesh& mesh) {
     const Vector3 c = scale * mesh.vertices[triangle[2]] - a;
     return b.cross(c).isZero(0.0);
   };
-  return static_cast<std::size_t>(
-      std::count_if(mesh.triangles.begin(), mesh.triangles.end(), is_degenerate));
+  return static_cast<std::size_t>(std::count_if(mesh.triangles.begin(), mesh.triangles.end(), is_degenerate));
 }
 
 }  // namespace

@@ -60,8 +60,8 @@ PolygonSoup read_obj(std::string_view bytes, const std::string& name) {
   }
   const auto vertices = static_cast<std::int64_t>(soup.vertices.size());
   if (largest.index >= vertices) {
-    text.fail(largest.line, "vertex index " + std::to_string(largest.index + 1) +
-                                ", but there are " + std::to_string(vertices) + " vertices");
+    text.fail(largest.line, "vertex index " + std::to_string(largest.index + 1) + ", but there are " +
+                                std::to_string(vertices) + " vertices");
   }
   return soup;
 }

@@ -68,16 +68,15 @@ Header read_header(LineReader& text) {
   const std::size_t most = text.remaining() + 1;
   if (static_cast<std::size_t>(header.vertices) > most / kShortestVertex ||
       static_cast<std::size_t>(header.faces) > most / kShortestFace) {
-    text.fail("the header claims " + std::to_string(header.vertices) + " vertices and " +
-              std::to_string(header.faces) + " faces, more than the file can hold");
+    text.fail("the header claims " + std::to_string(header.vertices) + " vertices and " + std::to_string(header.faces) +
+              " faces, more than the file can hold");
   }
   return header;
 }
 
 void next_record(LineReader& text, std::string_view what, std::int64_t index, std::int64_t count) {
   if (text.next_line()) return;
-  text.fail("the file ends after " + std::to_string(index) + " of " + std::to_string(count) + " " +
-            std::string(what));
+  text.fail("the file ends after " + std::to_string(index) + " of " + std::to_string(count) + " " + std::string(what));
 }
 
 // What follows the coordinates on their line are normals, colours and texture coordinates.
@@ -109,8 +108,7 @@ void read_face(LineReader& text, std::int64_t vertices, PolygonSoup& soup) {
     std::int64_t index = 0;
     if (!parse_integer(word, index)) text.fail_expected("a vertex index", word);
     if (index < 0 || index >= vertices) {
-      text.fail("vertex index " + std::to_string(index) + " is not in 0.." +
-                std::to_string(vertices - 1));
+      text.fail("vertex index " + std::to_string(index) + " is not in 0.." + std::to_string(vertices - 1));
     }
     soup.corners.push_back(static_cast<std::uint32_t>(index));
   }

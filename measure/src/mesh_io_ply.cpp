@@ -105,9 +105,8 @@ class BodyReader {
     }
     // One more, since the last line of a text need not end.
     if (smallest > 0 && element.count > (source_.remaining() + 1) / smallest) {
-      fail_header(element, "the header claims " + std::to_string(element.count) +
-                               " of the element " + quoted(element.name) +
-                               ", more than the file can hold");
+      fail_header(element, "the header claims " + std::to_string(element.count) + " of the element " +
+                               quoted(element.name) + ", more than the file can hold");
     }
   }
 
@@ -155,8 +154,7 @@ class BodyReader {
   }
 
   void read_vertices(const Element& element) {
-    const auto x = find(element, "x", false), y = find(element, "y", false),
-               z = find(element, "z", false);
+    const auto x = find(element, "x", false), y = find(element, "y", false), z = find(element, "z", false);
     if (!x || !y || !z) fail_header(element, "the vertices have no x, y and z");
     soup_.vertices.reserve(soup_.vertices.size() + element.count);
     for (std::size_t i = 0; i < element.count; ++i) {
@@ -190,8 +188,8 @@ class BodyReader {
 
   std::uint32_t checked(std::int64_t index) const {
     if (index < 0 || static_cast<std::size_t>(index) >= vertices_) {
-      source_.fail("vertex index " + std::to_string(index) + ", but there are " +
-                   std::to_string(vertices_) + " vertices");
+      source_.fail("vertex index " + std::to_string(index) + ", but there are " + std::to_string(vertices_) +
+                   " vertices");
     }
     return static_cast<std::uint32_t>(index);
   }
@@ -236,8 +234,7 @@ PolygonSoup read_ply(std::string_view bytes, const std::string& name) {
   if (header.encoding == Encoding::kText) {
     return BodyReader(TextSource(text), header, text).read();
   }
-  const std::endian order =
-      header.encoding == Encoding::kBigEndian ? std::endian::big : std::endian::little;
+  const std::endian order = header.encoding == Encoding::kBigEndian ? std::endian::big : std::endian::little;
   const ByteReader data(bytes, body_offset(text, bytes), order, name);
   return BodyReader(BinarySource(data), header, text).read();
 }

@@ -20,9 +20,8 @@ Type parse_type(LineReader& text) {
                                            {"float", "float32"},
                                            {"double", "float64"}}};
   const std::string_view word = text.word();
-  const auto found = std::find_if(kNames.begin(), kNames.end(), [&](const Name& name) {
-    return word == name.original || word == name.sized;
-  });
+  const auto found = std::find_if(kNames.begin(), kNames.end(),
+                                  [&](const Name& name) { return word == name.original || word == name.sized; });
   if (found == kNames.end()) text.fail_expected("a type", word);
   return static_cast<Type>(found - kNames.begin());
 }

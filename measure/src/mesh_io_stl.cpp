@@ -22,8 +22,7 @@ std::size_t claimed_triangles(std::string_view bytes) {
 
 // Exporters write "solid" into binary headers too; only the size tells.
 bool has_binary_size(std::string_view bytes) {
-  return bytes.size() >= kPrefixSize &&
-         bytes.size() == kPrefixSize + kTriangleSize * claimed_triangles(bytes);
+  return bytes.size() >= kPrefixSize && bytes.size() == kPrefixSize + kTriangleSize * claimed_triangles(bytes);
 }
 
 void append_corner(PolygonSoup& soup, const Vector3& position) {
@@ -96,9 +95,7 @@ PolygonSoup read_text(std::string_view bytes, const std::string& name) {
 
 }  // namespace
 
-bool looks_like_stl(std::string_view bytes) {
-  return has_binary_size(bytes) || starts_with_solid(bytes);
-}
+bool looks_like_stl(std::string_view bytes) { return has_binary_size(bytes) || starts_with_solid(bytes); }
 
 PolygonSoup read_stl(std::string_view bytes, const std::string& name) {
   const bool text = !has_binary_size(bytes) && starts_with_solid(bytes);

@@ -22,16 +22,14 @@ std::string_view without_plus(std::string_view word) {
 // What a number means that from_chars finds out of range: it is either too large or too close to 0.
 double out_of_range_value(std::string_view word) {
   const std::size_t exponent = word.find_first_of("eE");
-  const bool tiny = exponent != std::string_view::npos
-                        ? word[exponent + 1] == '-'
-                        : word.find_first_of("123456789") > word.find('.');
+  const bool tiny =
+      exponent != std::string_view::npos ? word[exponent + 1] == '-' : word.find_first_of("123456789") > word.find('.');
   return tiny ? 0.0 : std::numeric_limits<double>::infinity();
 }
 
 // The rest of "1.#INF", "1.#IND", "1.#QNAN" or "1.#SNAN", as Windows long wrote what is not finite.
 bool is_windows_nonfinite(std::string_view rest) {
-  return rest.starts_with("#INF") || rest.starts_with("#IND") || rest.starts_with("#QNAN") ||
-         rest.starts_with("#SNAN");
+  return rest.starts_with("#INF") || rest.starts_with("#IND") || rest.starts_with("#QNAN") || rest.starts_with("#SNAN");
 }
 
 bool parse_number(std::string_view word, double& value) {
@@ -73,9 +71,7 @@ LineReader::LineReader(std::string_view text, std::string_view name, Continuatio
   if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) position_ = kByteOrderMark.size();
 }
 
-bool LineReader::at_line_end() const {
-  return position_ == text_.size() || is_line_end(text_[position_]);
-}
+bool LineReader::at_line_end() const { return position_ == text_.size() || is_line_end(text_[position_]); }
 
 // Whether '#' begins a comment here, in a word that began at `begin`.
 bool LineReader::at_comment(std::size_t begin) const {

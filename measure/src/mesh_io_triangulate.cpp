@@ -23,8 +23,7 @@ double unit_scale(const Eigen::AlignedBox3d& box) {
   return std::ldexp(1.0, -std::max(exponent, kSmallestExponent));
 }
 
-void PolygonTriangulator::append(const std::vector<Vector3>& vertices,
-                                 std::span<const std::uint32_t> polygon,
+void PolygonTriangulator::append(const std::vector<Vector3>& vertices, std::span<const std::uint32_t> polygon,
                                  std::vector<Triangle>& triangles) {
   if (polygon.size() > 3 && project(vertices, polygon) && !fan_keeps_orientation()) {
     clip_ears(polygon, triangles);
@@ -36,8 +35,7 @@ void PolygonTriangulator::append(const std::vector<Vector3>& vertices,
 }
 
 // Fills points_; false if the polygon has no normal to look along.
-bool PolygonTriangulator::project(const std::vector<Vector3>& vertices,
-                                  std::span<const std::uint32_t> polygon) {
+bool PolygonTriangulator::project(const std::vector<Vector3>& vertices, std::span<const std::uint32_t> polygon) {
   Eigen::AlignedBox3d box;
   for (const std::uint32_t corner : polygon) box.extend(vertices[corner]);
   const double scale = unit_scale(box);
@@ -74,8 +72,7 @@ bool PolygonTriangulator::fan_keeps_orientation() const {
   return true;
 }
 
-void PolygonTriangulator::clip_ears(std::span<const std::uint32_t> polygon,
-                                    std::vector<Triangle>& triangles) {
+void PolygonTriangulator::clip_ears(std::span<const std::uint32_t> polygon, std::vector<Triangle>& triangles) {
   const auto size = static_cast<std::uint32_t>(polygon.size());
   previous_.resize(size);
   next_.resize(size);
@@ -137,12 +134,10 @@ void PolygonTriangulator::find_reflex() {
 
 // Whether no reflex corner lies in or on the triangle at a corner.
 bool PolygonTriangulator::is_empty(std::uint32_t corner) {
-  const Eigen::Vector2d &a = points_[previous_[corner]], &b = points_[corner],
-                        &c = points_[next_[corner]];
+  const Eigen::Vector2d &a = points_[previous_[corner]], &b = points_[corner], &c = points_[next_[corner]];
   const auto [left, right] = std::minmax({a.x(), b.x(), c.x()});
-  const auto begin =
-      std::lower_bound(reflex_.begin(), reflex_.end(), left,
-                       [](const ReflexCorner& p, double x) { return p.point.x() < x; });
+  const auto begin = std::lower_bound(reflex_.begin(), reflex_.end(), left,
+                                      [](const ReflexCorner& p, double x) { return p.point.x() < x; });
   for (auto p = begin; p != reflex_.end() && p->point.x() <= right; ++p) {
     --work_left_;
     const Eigen::Vector2d& q = p->point;

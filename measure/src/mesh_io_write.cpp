@@ -30,8 +30,7 @@ void append_line(std::string& out, std::string_view prefix, const Triple& triple
 }
 
 std::array<std::uint64_t, 3> counted_from_one(const Triangle& triangle) {
-  return {triangle[0] + std::uint64_t{1}, triangle[1] + std::uint64_t{1},
-          triangle[2] + std::uint64_t{1}};
+  return {triangle[0] + std::uint64_t{1}, triangle[1] + std::uint64_t{1}, triangle[2] + std::uint64_t{1}};
 }
 
 Vector3 unit_normal(const Mesh& mesh, const Triangle& triangle) {
@@ -43,8 +42,8 @@ Vector3 unit_normal(const Mesh& mesh, const Triangle& triangle) {
 }
 
 std::string to_off(const Mesh& mesh) {
-  std::string out = "OFF\n" + std::to_string(mesh.vertices.size()) + " " +
-                    std::to_string(mesh.triangles.size()) + " 0\n";
+  std::string out =
+      "OFF\n" + std::to_string(mesh.vertices.size()) + " " + std::to_string(mesh.triangles.size()) + " 0\n";
   for (const Vector3& vertex : mesh.vertices) append_line(out, "", vertex);
   for (const Triangle& triangle : mesh.triangles) append_line(out, "3 ", triangle);
   return out;
@@ -63,8 +62,7 @@ std::string to_ply(const Mesh& mesh, bool binary) {
   std::string out = std::string("ply\nformat ") + (binary ? "binary_little_endian" : "ascii") +
                     " 1.0\nelement vertex " + std::to_string(mesh.vertices.size()) +
                     "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-                    std::to_string(mesh.triangles.size()) +
-                    "\nproperty list uchar uint vertex_indices\nend_header\n";
+                    std::to_string(mesh.triangles.size()) + "\nproperty list uchar uint vertex_indices\nend_header\n";
   if (!binary) {
     for (const Vector3& vertex : mesh.vertices) append_line(out, "", vertex);
     for (const Triangle& triangle : mesh.triangles) append_line(out, "3 ", triangle);

@@ -15,8 +15,7 @@ class LineReader {
  public:
   enum class Continuation { kNone, kBackslash };
 
-  LineReader(std::string_view text, std::string_view name,
-             Continuation continuation = Continuation::kNone);
+  LineReader(std::string_view text, std::string_view name, Continuation continuation = Continuation::kNone);
 
   /// Goes to the next line that has a word; false at the end of the text.
   bool next_line();

@@ -55,7 +55,7 @@ struct NormalNodes {
 
 struct NormalQuery {
   Slope<double> slope;
-  double reach;  ///< |u| / |scale|: the circle meets a cap of radius r if |s| < |V| sin(r) reach
+  double reach;       ///< |u| / |scale|: the circle meets a cap of radius r if |s| < |V| sin(r) reach
   double resolution;  ///< squared sine of the radius up to which a node is not opened
 };
 

@@ -23,8 +23,8 @@ constexpr std::size_t kPass = 1024;
 }  // namespace
 
 template <class Result, class Walk, class Flat>
-void NormalTree::evaluate(std::span<const Vector3> u, std::span<Result> results, double resolution,
-                          const Walk& walk, const Flat& flat) const {
+void NormalTree::evaluate(std::span<const Vector3> u, std::span<Result> results, double resolution, const Walk& walk,
+                          const Flat& flat) const {
   assert(u.size() == results.size());
   const double sine = std::sin(resolution);
   const double visits = std::sqrt(static_cast<double>(size() + 1));
@@ -74,8 +74,7 @@ void NormalTree::cuts(std::span<const Vector3> u, std::span<Vector3> g, double r
       [this](const Vector3&, double scale, const NormalQuery& query, Vector3& cut) {
         TwoSum sum[3] = {};
         const bool done = kernels_->cuts(*nodes_, query, sum);
-        if (done)
-          cut = cut_from_negative(total_, scale, {sum[0].value(), sum[1].value(), sum[2].value()});
+        if (done) cut = cut_from_negative(total_, scale, {sum[0].value(), sum[1].value(), sum[2].value()});
         return done;
       },
       [this](auto w, auto cuts) { flat_.cuts(w, cuts); });

@@ -55,11 +55,9 @@ HWY_INLINE Vectors load_leaf(const NormalLeaf& leaf, std::size_t lane, hn::Vec<D
   const D d;
   const hn::Rebind<std::uint32_t, D> d32;
   const hn::Rebind<std::uint8_t, D> d8;
-  const auto exponent =
-      hn::PromoteTo(D64(), hn::PromoteTo(d32, hn::Load(d8, leaf.exponent + lane)));
+  const auto exponent = hn::PromoteTo(D64(), hn::PromoteTo(d32, hn::Load(d8, leaf.exponent + lane)));
   const auto scale = hn::BitCast(d, hn::ShiftLeft<52>(hn::Sub(unit, exponent)));
-  return {hn::Mul(load_component(leaf, 0, lane), scale),
-          hn::Mul(load_component(leaf, 1, lane), scale),
+  return {hn::Mul(load_component(leaf, 0, lane), scale), hn::Mul(load_component(leaf, 1, lane), scale),
           hn::Mul(load_component(leaf, 2, lane), scale)};
 }
 
@@ -75,9 +73,8 @@ HWY_INLINE Nodes load_family(const NormalFamily& family, std::size_t lane) {
   const auto y = hn::Load(d64, family.sums[1] + lane);
   const auto z = hn::Load(d64, family.sums[2] + lane);
   // The last byte of each is one of the radius's upper ones, below its sign.
-  const auto radius = hn::Or(
-      hn::ShiftRight<1>(hn::ShiftLeft<56>(x)),
-      hn::Or(hn::ShiftRight<9>(hn::ShiftLeft<56>(y)), hn::ShiftRight<17>(hn::ShiftLeft<56>(z))));
+  const auto radius = hn::Or(hn::ShiftRight<1>(hn::ShiftLeft<56>(x)),
+                             hn::Or(hn::ShiftRight<9>(hn::ShiftLeft<56>(y)), hn::ShiftRight<17>(hn::ShiftLeft<56>(z))));
   return {{hn::BitCast(d, x), hn::BitCast(d, y), hn::BitCast(d, z)}, hn::BitCast(d, radius)};
 }
 
@@ -145,8 +142,7 @@ class Walk {
  private:
   /// Sums the nodes that the circle misses, lists those that it meets; stops where these get too
   /// many.
-  HWY_INLINE std::size_t test(int level, const std::uint32_t* families, std::size_t size,
-                              std::uint32_t* children) {
+  HWY_INLINE std::size_t test(int level, const std::uint32_t* families, std::size_t size, std::uint32_t* children) {
     NodeList found(children);
     prefetch_first(nodes_.levels[level], families, size);
     for (std::size_t begin = 0; begin < size && found.size() <= nodes_.limits[level];) {
@@ -158,9 +154,8 @@ class Walk {
     return found.size();
   }
 
-  HWY_INLINE void test_chunk(const NormalFamily* nodes, const std::uint32_t* families,
-                             std::size_t begin, std::size_t end, std::size_t size,
-                             NodeList& found) {
+  HWY_INLINE void test_chunk(const NormalFamily* nodes, const std::uint32_t* families, std::size_t begin,
+                             std::size_t end, std::size_t size, NodeList& found) {
     const D d;
     const auto a = hn::Set(d, query_.slope.a), b = hn::Set(d, query_.slope.b);
     const auto reach = hn::Set(d, query_.reach), resolution = hn::Set(d, query_.resolution);
@@ -196,8 +191,7 @@ class Walk {
     }
   }
 
-  HWY_INLINE void add_chunk(const std::uint32_t* leaves, std::size_t begin, std::size_t end,
-                            std::size_t size) {
+  HWY_INLINE void add_chunk(const std::uint32_t* leaves, std::size_t begin, std::size_t end, std::size_t size) {
     const D d;
     const auto a = hn::Set(d, query_.slope.a), b = hn::Set(d, query_.slope.b);
     const auto unit = hn::Set(D64(), nodes_.unit);
@@ -227,16 +221,14 @@ class Walk {
 
 template <class Sum>
 bool kernel(const NormalNodes& nodes, const NormalQuery& query, TwoSum* sums) {
-  return query.resolution > 0 ? Walk<Sum, true>(nodes, query, sums).run()
-                              : Walk<Sum, false>(nodes, query, sums).run();
+  return query.resolution > 0 ? Walk<Sum, true>(nodes, query, sums).run() : Walk<Sum, false>(nodes, query, sums).run();
 }
 
 double cap(const NormalNodes& nodes, std::size_t begin, std::size_t end, const double* axis) {
   const D d;
   const auto ax = hn::Set(d, axis[0]), ay = hn::Set(d, axis[1]), az = hn::Set(d, axis[2]);
   const auto zero = hn::Zero(d), infinity = hn::Set(d, std::numeric_limits<double>::infinity());
-  const auto shortest =
-      hn::Set(d, 1e-280);  // of squared lengths that have not lost digits to underflow
+  const auto shortest = hn::Set(d, 1e-280);  // of squared lengths that have not lost digits to underflow
   auto largest = zero;
   const auto unit = hn::Set(D64(), nodes.unit);
   for (std::size_t leaf = begin; leaf < end; ++leaf) {

@@ -28,12 +28,10 @@ struct Finish {
   void bind(Parameters& parameters) {
     parameters
         .custom(
-            "rotate", "none | random | a,b,c",
-            [this](const Json& value) { return set_rotate(value); },
+            "rotate", "none | random | a,b,c", [this](const Json& value) { return set_rotate(value); },
             [this] { return Json(rotate); },
             "none, uniformly random by the seed, or three Euler angles in radians (eqs. 35-37)")
-        .real("noise", noise, 0, 10,
-              "standard deviation of each vertex coordinate's displacement, in largest extents")
+        .real("noise", noise, 0, 10, "standard deviation of each vertex coordinate's displacement, in largest extents")
         .real("scale", scale, 1e-100, 1e100, "factor for all lengths, last of all")
         .seed("seed", seed, "seed of the shape's, the rotation's and the noise's random numbers");
   }
@@ -47,8 +45,7 @@ struct Finish {
 
  private:
   bool set_rotate(const Json& value) {
-    if (value != "none" && value != "random" && !read_vector3(value, angles, -1000, 1000))
-      return false;
+    if (value != "none" && value != "random" && !read_vector3(value, angles, -1000, 1000)) return false;
     rotate = value.get<std::string>();
     return true;
   }

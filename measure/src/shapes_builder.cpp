@@ -12,11 +12,7 @@ namespace {
 class SurfaceNumbering {
  public:
   explicit SurfaceNumbering(const LatticePoint& cells)
-      : nx_(cells[0]),
-        ny_(cells[1]),
-        nz_(cells[2]),
-        full_((nx_ + 1) * (ny_ + 1)),
-        rim_(2 * (nx_ + ny_)) {}
+      : nx_(cells[0]), ny_(cells[1]), nz_(cells[2]), full_((nx_ + 1) * (ny_ + 1)), rim_(2 * (nx_ + ny_)) {}
 
   std::size_t size() const { return static_cast<std::size_t>(2 * full_ + (nz_ - 1) * rim_); }
 
@@ -95,8 +91,7 @@ void add_cap(Mesh& mesh, Ring ring, Facing facing) {
   }
 }
 
-Mesh box_surface(const LatticePoint& cells,
-                 const std::function<Vector3(const LatticePoint&)>& place) {
+Mesh box_surface(const LatticePoint& cells, const std::function<Vector3(const LatticePoint&)>& place) {
   const SurfaceNumbering number(cells);
   Mesh mesh;
   mesh.vertices.resize(number.size());

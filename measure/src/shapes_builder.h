@@ -50,7 +50,6 @@ using LatticePoint = std::array<int, 3>;
 
 /// The surface of a box of cells[0] x cells[1] x cells[2] cells: two triangles for each cell side
 /// on it, `place` gives the position of each lattice point on it. No vertex is doubled at edges.
-Mesh box_surface(const LatticePoint& cells,
-                 const std::function<Vector3(const LatticePoint&)>& place);
+Mesh box_surface(const LatticePoint& cells, const std::function<Vector3(const LatticePoint&)>& place);
 
 }  // namespace rectilin::shapes

@@ -54,8 +54,7 @@ class Cut {
 
   /// Where the plane cuts the edge from corner a to b; the corner itself if they are one.
   std::uint32_t vertex(int a, int b) {
-    const auto [at, is_new] =
-        numbers_.try_emplace({a, b}, static_cast<std::uint32_t>(mesh_.vertices.size()));
+    const auto [at, is_new] = numbers_.try_emplace({a, b}, static_cast<std::uint32_t>(mesh_.vertices.size()));
     if (is_new) {
       const double t = a == b ? 0 : height_[a] / (height_[a] - height_[b]);
       mesh_.vertices.push_back((1 - t) * corner(a) + t * corner(b));
@@ -90,14 +89,13 @@ class Cut {
   Mesh mesh_;
   std::vector<bool> on_plane_;                            ///< for each vertex
   std::map<std::pair<int, int>, std::uint32_t> numbers_;  ///< of vertices, by the edge they are on
-  std::map<std::uint32_t, std::uint32_t> rim_;  ///< from each vertex of the cut to the next
+  std::map<std::uint32_t, std::uint32_t> rim_;            ///< from each vertex of the cut to the next
 };
 
 }  // namespace
 
 void CutCube::bind(Parameters& parameters) {
-  parameters.vector3("direction", direction, -kLongest, kLongest,
-                     "direction in which parts are cut off");
+  parameters.vector3("direction", direction, -kLongest, kLongest, "direction in which parts are cut off");
   parameters.real("depth", depth, 0, 0.99, "part of the width in that direction that is cut off");
 }
 

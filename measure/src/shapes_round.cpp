@@ -45,8 +45,7 @@ Mesh Torus::build() const {
   std::vector<Ring> rings;
   for (int i = 0; i < stacks; ++i) {
     const double angle = 2 * std::numbers::pi * i / stacks;
-    rings.push_back(
-        add_circle(mesh, slices, major + minor * std::cos(angle), minor * std::sin(angle)));
+    rings.push_back(add_circle(mesh, slices, major + minor * std::cos(angle), minor * std::sin(angle)));
   }
   rings.push_back(rings.front());
   add_strips(mesh, rings);

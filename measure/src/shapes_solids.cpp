@@ -23,8 +23,7 @@ void bind_extents(Parameters& parameters, double& x, double& y, double& z) {
 LatticePoint divide_box(const Vector3& size, int faces) {
   const auto cells = [&](double per_length) {
     LatticePoint n;
-    for (int axis = 0; axis < 3; ++axis)
-      n[axis] = std::max(1, static_cast<int>(size[axis] * per_length));
+    for (int axis = 0; axis < 3; ++axis) n[axis] = std::max(1, static_cast<int>(size[axis] * per_length));
     return n;
   };
   double fits = 0, too_fine = faces / size.maxCoeff();
@@ -54,8 +53,7 @@ Mesh extrude(std::vector<Vector3> polygon, double height) {
 
 void Box::bind(Parameters& parameters) {
   bind_extents(parameters, x, y, z);
-  parameters.integer("faces", faces, 12, kMaxFaces,
-                     "most triangles; the sides are divided as finely as that allows");
+  parameters.integer("faces", faces, 12, kMaxFaces, "most triangles; the sides are divided as finely as that allows");
 }
 
 Mesh Box::build() const {
@@ -101,8 +99,7 @@ Mesh Prism::build() const {
 
 void LShape::bind(Parameters& parameters) {
   bind_extents(parameters, x, y, z);
-  parameters.real("notch", notch, 0.01, 0.99,
-                  "part of the x and y extents that is missing at a corner");
+  parameters.real("notch", notch, 0.01, 0.99, "part of the x and y extents that is missing at a corner");
 }
 
 Mesh LShape::build() const {
@@ -131,8 +128,7 @@ Mesh Stairs::build() const {
 void SteppedPyramid::bind(Parameters& parameters) {
   bind_length(parameters, "base", base, "side of the lowest square");
   bind_length(parameters, "height", height, "height of all steps together");
-  parameters.integer("steps", steps, 1, 1'000'000,
-                     "number of steps; the more, the more like a pyramid");
+  parameters.integer("steps", steps, 1, 1'000'000, "number of steps; the more, the more like a pyramid");
 }
 
 Mesh SteppedPyramid::build() const {

@@ -36,13 +36,11 @@ std::vector<int> even_ring_sizes(int faces) {
   const double edge = std::sqrt(8 * pi / (std::sqrt(3.0) * vertices));  // of equilateral triangles
   const int rings = std::max(1, static_cast<int>(std::lround(pi / (edge * std::sqrt(0.75)))) - 1);
   std::vector<double> length_up_to{0};
-  for (int i = 1; i <= rings; ++i)
-    length_up_to.push_back(length_up_to.back() + std::sin(pi * i / (rings + 1)));
+  for (int i = 1; i <= rings; ++i) length_up_to.push_back(length_up_to.back() + std::sin(pi * i / (rings + 1)));
   std::vector<int> sizes;
   int used = 0;
   for (int i = 1; i <= rings; ++i) {
-    const auto now =
-        static_cast<int>(std::lround(vertices * (length_up_to[i] / length_up_to.back())));
+    const auto now = static_cast<int>(std::lround(vertices * (length_up_to[i] / length_up_to.back())));
     sizes.push_back(now - used);
     used = now;
   }
@@ -66,8 +64,7 @@ Mesh octahedral_sphere(int subdivisions) {
   for (int level = -n; level <= n; ++level) {
     const int k = n - std::abs(level);
     std::vector<Vector3> points;
-    for (int i = 0; i < std::max(1, 4 * k); ++i)
-      points.push_back(octahedral_vertex(n, k, i, 1.0 * level / n));
+    for (int i = 0; i < std::max(1, 4 * k); ++i) points.push_back(octahedral_vertex(n, k, i, 1.0 * level / n));
     rings.push_back(add_ring(mesh, points));
   }
   add_strips(mesh, rings);
@@ -78,15 +75,12 @@ Mesh octahedral_sphere(int subdivisions) {
 
 void Tessellation::bind(Parameters& parameters) {
   parameters
-      .choice(
-          "kind", kind,
-          {{"octahedral", Kind::kOctahedral}, {"latlong", Kind::kLatLong}, {"even", Kind::kEven}},
-          "how the surface is divided")
+      .choice("kind", kind, {{"octahedral", Kind::kOctahedral}, {"latlong", Kind::kLatLong}, {"even", Kind::kEven}},
+              "how the surface is divided")
       .integer("subdivisions", subdivisions, 0, 11, "kind=octahedral: 8 * 4^subdivisions triangles")
       .integer("slices", slices, 3, 4096, "kind=latlong: divisions around the axis")
       .integer("stacks", stacks, 2, 4096, "kind=latlong: divisions from pole to pole")
-      .integer("faces", faces, 8, kMaxFaces,
-               "kind=even: triangles, rounded down to an even number");
+      .integer("faces", faces, 8, kMaxFaces, "kind=even: triangles, rounded down to an even number");
 }
 
 Mesh Tessellation::unit_sphere() const {
@@ -94,8 +88,7 @@ Mesh Tessellation::unit_sphere() const {
   const auto expect = [this](Kind owner, bool is_default, const char* what) {
     if (kind != owner && !is_default) throw ParameterError(what);
   };
-  expect(Kind::kOctahedral, subdivisions == defaults.subdivisions,
-         "subdivisions is a setting of kind=octahedral");
+  expect(Kind::kOctahedral, subdivisions == defaults.subdivisions, "subdivisions is a setting of kind=octahedral");
   expect(Kind::kLatLong, slices == defaults.slices && stacks == defaults.stacks,
          "slices and stacks are settings of kind=latlong");
   expect(Kind::kEven, faces == defaults.faces, "faces is a setting of kind=even");

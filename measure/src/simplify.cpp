@@ -28,14 +28,12 @@ Mesh welded(const Mesh& mesh) {
   for (const Triangle& t : mesh.triangles) corners.insert(corners.end(), t.begin(), t.end());
   std::vector<unsigned> place(mesh.vertices.size());
   Mesh result;
-  result.vertices.resize(meshopt_generateVertexRemap(place.data(), corners.data(), corners.size(),
-                                                     points.data(), place.size(), kStride));
+  result.vertices.resize(
+      meshopt_generateVertexRemap(place.data(), corners.data(), corners.size(), points.data(), place.size(), kStride));
   for (std::size_t i = place.size(); i-- > 0;)  // from the end: the first of several stays
     if (place[i] < result.vertices.size()) result.vertices[place[i]] = mesh.vertices[i];
-  for (const Triangle& t : mesh.triangles)
-    result.triangles.push_back({place[t[0]], place[t[1]], place[t[2]]});
-  std::erase_if(result.triangles,
-                [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+  for (const Triangle& t : mesh.triangles) result.triangles.push_back({place[t[0]], place[t[1]], place[t[2]]});
+  std::erase_if(result.triangles, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
   return result;
 }
 
@@ -50,12 +48,10 @@ Mesh simplified(const Mesh& mesh, std::size_t faces) {
   std::vector<unsigned> corners;
   for (const Triangle& t : result.triangles) corners.insert(corners.end(), t.begin(), t.end());
   std::vector<unsigned> left(corners.size());
-  left.resize(meshopt_simplify(left.data(), corners.data(), corners.size(), points.data(),
-                               result.vertices.size(), kStride, 3 * std::max<std::size_t>(faces, 1),
-                               kAnyError, 0, nullptr));
+  left.resize(meshopt_simplify(left.data(), corners.data(), corners.size(), points.data(), result.vertices.size(),
+                               kStride, 3 * std::max<std::size_t>(faces, 1), kAnyError, 0, nullptr));
   result.triangles.clear();
-  for (std::size_t i = 0; i < left.size(); i += 3)
-    result.triangles.push_back({left[i], left[i + 1], left[i + 2]});
+  for (std::size_t i = 0; i < left.size(); i += 3) result.triangles.push_back({left[i], left[i + 1], left[i + 2]});
   return result;
 }
 

@@ -21,8 +21,8 @@ constexpr double kLeast = 0x1p-1000;
 
 /// Adds the faces from `begin` on that fill whole registers of D; returns where it stopped.
 template <class D>
-HWY_INLINE std::size_t add_faces(D d, const FaceSpan<double>& faces, std::size_t begin,
-                                 const Eigen::Matrix3d& frame, double width, SmoothSums& sums) {
+HWY_INLINE std::size_t add_faces(D d, const FaceSpan<double>& faces, std::size_t begin, const Eigen::Matrix3d& frame,
+                                 double width, SmoothSums& sums) {
   using V = hn::Vec<D>;
   V value = hn::Zero(d), gradient[3][3], r[3][3];
   for (int k = 0; k < 3; ++k)
@@ -31,8 +31,7 @@ HWY_INLINE std::size_t add_faces(D d, const FaceSpan<double>& faces, std::size_t
   const std::size_t lanes = hn::Lanes(d);
   std::size_t i = begin;
   for (; i + lanes <= faces.size; i += lanes) {
-    const V v[3] = {hn::LoadU(d, faces.x + i), hn::LoadU(d, faces.y + i),
-                    hn::LoadU(d, faces.z + i)};
+    const V v[3] = {hn::LoadU(d, faces.x + i), hn::LoadU(d, faces.y + i), hn::LoadU(d, faces.z + i)};
     const V square = hn::MulAdd(v[0], v[0], hn::MulAdd(v[1], v[1], hn::Mul(v[2], v[2])));
     const V softening = hn::MulAdd(square_of_width, square, least);
     for (int k = 0; k < 3; ++k) {
@@ -45,8 +44,7 @@ HWY_INLINE std::size_t add_faces(D d, const FaceSpan<double>& faces, std::size_t
   }
   sums.value += hn::GetLane(hn::SumOfLanes(d, value));
   for (int k = 0; k < 3; ++k)
-    for (int c = 0; c < 3; ++c)
-      sums.gradient(k, c) += hn::GetLane(hn::SumOfLanes(d, gradient[k][c]));
+    for (int c = 0; c < 3; ++c) sums.gradient(k, c) += hn::GetLane(hn::SumOfLanes(d, gradient[k][c]));
   return i;
 }
 

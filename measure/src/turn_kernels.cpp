@@ -17,9 +17,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// Views the faces from `begin` on that fill whole registers of D; returns where it stopped.
 template <class D>
-HWY_INLINE std::size_t view_some(D d, const FaceSpan<double>& faces, std::size_t begin,
-                                 const QuadrantView& view, double* x, double* y,
-                                 std::int32_t* bucket) {
+HWY_INLINE std::size_t view_some(D d, const FaceSpan<double>& faces, std::size_t begin, const QuadrantView& view,
+                                 double* x, double* y, std::int32_t* bucket) {
   using V = hn::Vec<D>;
   V p[3], q[3];
   for (int c = 0; c < 3; ++c) p[c] = hn::Set(d, view.first[c]), q[c] = hn::Set(d, -view.second[c]);
@@ -29,8 +28,7 @@ HWY_INLINE std::size_t view_some(D d, const FaceSpan<double>& faces, std::size_t
   const std::size_t lanes = hn::Lanes(d);
   std::size_t i = begin;
   for (; i + lanes <= faces.size; i += lanes) {
-    const V vx = hn::LoadU(d, faces.x + i), vy = hn::LoadU(d, faces.y + i),
-            vz = hn::LoadU(d, faces.z + i);
+    const V vx = hn::LoadU(d, faces.x + i), vy = hn::LoadU(d, faces.y + i), vz = hn::LoadU(d, faces.z + i);
     const V a = hn::MulAdd(p[0], vx, hn::MulAdd(p[1], vy, hn::Mul(p[2], vz)));
     const V b = hn::MulAdd(q[0], vx, hn::MulAdd(q[1], vy, hn::Mul(q[2], vz)));
     // A half turn changes both signs; a quarter turn brings what lies in the second quadrant to the
@@ -46,8 +44,7 @@ HWY_INLINE std::size_t view_some(D d, const FaceSpan<double>& faces, std::size_t
   return i;
 }
 
-void view_all(const FaceSpan<double>& faces, const QuadrantView& view, double* x, double* y,
-              std::int32_t* bucket) {
+void view_all(const FaceSpan<double>& faces, const QuadrantView& view, double* x, double* y, std::int32_t* bucket) {
   const std::size_t rest = view_some(hn::ScalableTag<double>(), faces, 0, view, x, y, bucket);
   view_some(hn::CappedTag<double, 1>(), faces, rest, view, x, y, bucket);
 }
@@ -61,8 +58,7 @@ namespace rectilin {
 
 HWY_EXPORT(view_all);
 
-void view_faces(const FaceSpan<double>& faces, const QuadrantView& view, double* x, double* y,
-                std::int32_t* bucket) {
+void view_faces(const FaceSpan<double>& faces, const QuadrantView& view, double* x, double* y, std::int32_t* bucket) {
   HWY_DYNAMIC_DISPATCH(view_all)(faces, view, x, y, bucket);
 }
 

@@ -23,7 +23,6 @@ struct QuadrantView {
 /// x[i], y[i]: the view of face i; bucket[i]: the whole part of buckets * place(x[i], y[i]), less
 /// than buckets. On the best instruction set that is present and not ruled out by
 /// ScopedFlatSumTarget.
-void view_faces(const FaceSpan<double>& faces, const QuadrantView& view, double* x, double* y,
-                std::int32_t* bucket);
+void view_faces(const FaceSpan<double>& faces, const QuadrantView& view, double* x, double* y, std::int32_t* bucket);
 
 }  // namespace rectilin

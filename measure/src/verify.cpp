@@ -51,8 +51,8 @@ std::vector<Face> area_vectors_of(const Mesh& mesh) {
   if (!(total > 0) || !std::isfinite(total)) refuse("the mesh has no finite, positive area");
   std::vector<Face> faces;
   for (const Extended3& v : vectors)
-    faces.push_back({static_cast<double>(v.x() / total), static_cast<double>(v.y() / total),
-                     static_cast<double>(v.z() / total)});
+    faces.push_back(
+        {static_cast<double>(v.x() / total), static_cast<double>(v.y() / total), static_cast<double>(v.z() / total)});
   return faces;
 }
 

@@ -18,8 +18,7 @@ class Allowance {
 
   Allowance(const Evaluator& evaluator, std::uint64_t wanted)
       : evaluator_(evaluator),
-        timed_(wanted == 0 && evaluator.budget().limits_seconds() &&
-               !evaluator.budget().limits_evaluations()),
+        timed_(wanted == 0 && evaluator.budget().limits_seconds() && !evaluator.budget().limits_evaluations()),
         end_(timed_ ? kForever : spent_by_all() + granted(wanted)) {}
 
   std::uint64_t remaining() const { return end_ > spent_by_all() ? end_ - spent_by_all() : 0; }
@@ -28,17 +27,13 @@ class Allowance {
   bool timed() const { return timed_; }
 
   /// Is there no room for another evaluation at this price?
-  bool spent(std::uint64_t price = Costs::kPerValue) const {
-    return remaining() < price || evaluator_.exhausted();
-  }
+  bool spent(std::uint64_t price = Costs::kPerValue) const { return remaining() < price || evaluator_.exhausted(); }
 
   /// The length to plan for when a search that must know it ahead (a cooling, a spiral) begins for
   /// the `round`-th time, from 0: all that remains. If only time is limited, 10,000 evaluations,
   /// 20,000, 40,000 and so on: the clock decides where such a run ends, but not what it does until
   /// then, and its last complete round had about a quarter of the time or more.
-  std::uint64_t plan(int round) const {
-    return timed_ ? kUnlimited << std::min(round, 40) : remaining();
-  }
+  std::uint64_t plan(int round) const { return timed_ ? kUnlimited << std::min(round, 40) : remaining(); }
 
   /// Declares the parameter that becomes `wanted`.
   static void bind(Parameters& table, int& wanted) {

@@ -53,8 +53,8 @@ double temperature(AnnealingOptions::Cooling cooling, double t, double end) {
 }
 
 /// One cooling from `state` over `moves` evaluations.
-void cool(const AnnealingOptions& options, State state, double hot, std::uint64_t moves,
-          Evaluator& evaluator, Random& random) {
+void cool(const AnnealingOptions& options, State state, double hot, std::uint64_t moves, Evaluator& evaluator,
+          Random& random) {
   double step = options.step;
   for (std::uint64_t i = 0; i < moves && !evaluator.exhausted(); ++i) {
     const double t = static_cast<double>(i) / static_cast<double>(moves);
@@ -71,8 +71,7 @@ void cool(const AnnealingOptions& options, State state, double hot, std::uint64_
 }
 
 /// All coolings, on one allowance.
-void anneal(const AnnealingOptions& options, const Allowance& allowance, Evaluator& evaluator,
-            Random& random) {
+void anneal(const AnnealingOptions& options, const Allowance& allowance, Evaluator& evaluator, Random& random) {
   const bool had_start = evaluator.has_incumbent();
   const Incumbent given = evaluator.incumbent();
   const Survey surveyed = survey(allowance, evaluator, random);
@@ -80,11 +79,9 @@ void anneal(const AnnealingOptions& options, const Allowance& allowance, Evaluat
   for (int cycle = 0; cycle < options.cycles && !allowance.spent(); ++cycle) {
     if (cycle > 0 && options.reheat == AnnealingOptions::Reheat::kBest)
       start = {evaluator.incumbent().rotation, evaluator.incumbent().value};
-    else if (cycle > 0)
-      start.rotation = random_rotation(random), start.value = evaluator.value(start.rotation);
+    else if (cycle > 0) start.rotation = random_rotation(random), start.value = evaluator.value(start.rotation);
     const auto left = static_cast<std::uint64_t>(options.cycles - cycle);
-    cool(options, start, options.hot * surveyed.deviation, allowance.remaining() / left, evaluator,
-         random);
+    cool(options, start, options.hot * surveyed.deviation, allowance.remaining() / left, evaluator, random);
   }
 }
 
@@ -104,10 +101,8 @@ void AnnealingOptions::bind(Parameters& table) {
       .integer("cycles", cycles, 1, 1000000, "coolings that share the evaluations")
       .choice("reheat", reheat, {{"best", Reheat::kBest}, {"random", Reheat::kRandom}},
               "where each cooling after the first begins: best rotation so far or a random one")
-      .real("acceptance", acceptance, 0.01, 0.99,
-            "share of accepted moves that the step length is adapted to")
-      .real("step", step, 1e-9, 3,
-            "first and longest step: standard deviation of each component of a turn, radians");
+      .real("acceptance", acceptance, 0.01, 0.99, "share of accepted moves that the step length is adapted to")
+      .real("step", step, 1e-9, 3, "first and longest step: standard deviation of each component of a turn, radians");
 }
 
 Annealing::Annealing(Options options) : OptimizerWith(options) {

@@ -20,8 +20,7 @@ struct AnnealingOptions {
   int cycles = 4;      ///< coolings the evaluations are shared out to
   Reheat reheat = Reheat::kRandom;
   double acceptance = 0.4;  ///< share of accepted moves that the step length is adapted to
-  double step =
-      0.5;  ///< first and longest step: standard deviation of each component of a turn, radians
+  double step = 0.5;        ///< first and longest step: standard deviation of each component of a turn, radians
 
   void bind(Parameters& table);
 };

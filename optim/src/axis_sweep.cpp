@@ -3,11 +3,9 @@
 namespace rectilin {
 
 void AxisSweepOptions::bind(Parameters& table) {
-  bind_starts(
-      table, starts,
-      "descents, the first from the incumbent, if there is one, the others from random rotations");
-  table.real("tolerance", tolerance, 0, 1,
-             "relative decrease of the value that counts as a step down");
+  bind_starts(table, starts,
+              "descents, the first from the incumbent, if there is one, the others from random rotations");
+  table.real("tolerance", tolerance, 0, 1, "relative decrease of the value that counts as a step down");
 }
 
 void AxisSweep::improve(const Rotation& start, Evaluator& evaluator, const Chart&, Random&) const {

@@ -25,8 +25,7 @@ class AxisSweep final : public RestartedOptimizerWith<AxisSweepOptions> {
   Capabilities capabilities() const override {
     return {.uses_chart = false, .needs_turns = true, .local = options_.starts == 1};
   }
-  void improve(const Rotation& start, Evaluator& evaluator, const Chart& chart,
-               Random& random) const override;
+  void improve(const Rotation& start, Evaluator& evaluator, const Chart& chart, Random& random) const override;
 };
 
 }  // namespace rectilin

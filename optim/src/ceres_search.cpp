@@ -18,8 +18,7 @@ class Surrogate final : public ceres::FirstOrderFunction {
   int NumParameters() const override { return 4; }
 
   bool Evaluate(const double* parameters, double* cost, double* gradient) const override {
-    if (evaluator_.remaining() < Costs::kPerSmooth + Costs::kPerValue)
-      return false;  // one for the end point
+    if (evaluator_.remaining() < Costs::kPerSmooth + Costs::kPerValue) return false;  // one for the end point
     const Eigen::Quaterniond q(parameters);
     const Rotation rotation = Rotation::from_quaternion(q);
     const SmoothValue smooth = evaluator_.smooth(rotation, width_);
@@ -43,16 +42,13 @@ class Surrogate final : public ceres::FirstOrderFunction {
 }  // namespace
 
 void CeresOptions::bind(Parameters& table) {
-  bind_starts(
-      table, starts,
-      "descents, the first from the incumbent, if there is one, the others from random rotations");
-  table.integer("iterations", iterations, 1, 1000000,
-                "iterations of L-BFGS in each round, at most");
+  bind_starts(table, starts,
+              "descents, the first from the incumbent, if there is one, the others from random rotations");
+  table.integer("iterations", iterations, 1, 1000000, "iterations of L-BFGS in each round, at most");
   graduation.bind(table);
 }
 
-void CeresSearch::improve(const Rotation& start, Evaluator& evaluator, const Chart&,
-                          Random&) const {
+void CeresSearch::improve(const Rotation& start, Evaluator& evaluator, const Chart&, Random&) const {
   // Whatever cuts the search off, the objective itself has been asked for.
   if (!evaluator.has_incumbent()) evaluator.value(start);
   Eigen::Quaterniond q = start.quaternion();
@@ -61,9 +57,8 @@ void CeresSearch::improve(const Rotation& start, Evaluator& evaluator, const Cha
   solver.max_num_iterations = options_.iterations;
   solver.function_tolerance = 1e-12;
   for (int round = 0; round < options_.graduation.rounds && !evaluator.exhausted(); ++round) {
-    const ceres::GradientProblem problem(
-        new Surrogate(evaluator, options_.graduation.at(round)),
-        new ceres::EigenQuaternionManifold);  // owned by the problem
+    const ceres::GradientProblem problem(new Surrogate(evaluator, options_.graduation.at(round)),
+                                         new ceres::EigenQuaternionManifold);  // owned by the problem
     ceres::GradientProblemSolver::Summary summary;
     ceres::Solve(solver, problem, q.coeffs().data(), &summary);
     evaluator.value(Rotation::from_quaternion(q));

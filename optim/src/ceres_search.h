@@ -25,8 +25,7 @@ class CeresSearch final : public RestartedOptimizerWith<CeresOptions> {
   Capabilities capabilities() const override {
     return {.uses_chart = false, .needs_smooth = true, .local = options_.starts == 1};
   }
-  void improve(const Rotation& start, Evaluator& evaluator, const Chart& chart,
-               Random& random) const override;
+  void improve(const Rotation& start, Evaluator& evaluator, const Chart& chart, Random& random) const override;
 };
 
 }  // namespace rectilin

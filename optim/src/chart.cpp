@@ -24,9 +24,7 @@ class EulerChart final : public Chart {
   Eigen::Vector3d upper() const override { return upper_; }
   bool covers() const override { return covers_; }
 
-  Rotation rotation(const Eigen::Vector3d& x) const override {
-    return rotation_from_euler(x[0], x[1], x[2]);
-  }
+  Rotation rotation(const Eigen::Vector3d& x) const override { return rotation_from_euler(x[0], x[1], x[2]); }
 
   Eigen::Vector3d coordinates(const Rotation& rotation) const override {
     Eigen::Vector3d best = Eigen::Vector3d::Zero();

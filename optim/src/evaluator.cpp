@@ -14,9 +14,7 @@ SmoothValue Objective::smooth(const Rotation&, double) const {
   throw std::logic_error(name() + " has no smooth surrogate");
 }
 
-BestTurn Objective::best_turn(const Rotation&, int) const {
-  throw std::logic_error(name() + " has no best turns");
-}
+BestTurn Objective::best_turn(const Rotation&, int) const { throw std::logic_error(name() + " has no best turns"); }
 
 Evaluator::Evaluator(const Objective& objective, Budget budget, std::stop_token stop)
     : objective_(objective), budget_(budget), stop_(std::move(stop)) {}
@@ -37,8 +35,7 @@ void Evaluator::values(std::span<const Rotation> rotations, std::span<double> va
   const std::size_t count = affordable(rotations.size(), Costs::kPerValue);
   if (count > 0) objective_.values(rotations.first(count), values.first(count));
   const std::uint64_t before = costs_.evaluations();
-  for (std::size_t i = 0; i < count; ++i)
-    account(rotations[i], values[i], before + (i + 1) * Costs::kPerValue);
+  for (std::size_t i = 0; i < count; ++i) account(rotations[i], values[i], before + (i + 1) * Costs::kPerValue);
   costs_.values += count;
   std::ranges::fill(values.subspan(count), std::numeric_limits<double>::infinity());
 }
@@ -47,16 +44,13 @@ void Evaluator::cuts(std::span<const Rotation> rotations, std::span<Cut> cuts) {
   const std::size_t count = affordable(rotations.size(), Costs::kPerCut);
   if (count > 0) objective_.cuts(rotations.first(count), cuts.first(count));
   const std::uint64_t before = costs_.evaluations();
-  for (std::size_t i = 0; i < count; ++i)
-    account(rotations[i], cuts[i].value, before + (i + 1) * Costs::kPerCut);
+  for (std::size_t i = 0; i < count; ++i) account(rotations[i], cuts[i].value, before + (i + 1) * Costs::kPerCut);
   costs_.cuts += count;
-  std::ranges::fill(cuts.subspan(count),
-                    Cut{std::numeric_limits<double>::infinity(), Eigen::Matrix3d::Zero()});
+  std::ranges::fill(cuts.subspan(count), Cut{std::numeric_limits<double>::infinity(), Eigen::Matrix3d::Zero()});
 }
 
 SmoothValue Evaluator::smooth(const Rotation& rotation, double width) {
-  if (affordable(1, Costs::kPerSmooth) == 0)
-    return {std::numeric_limits<double>::infinity(), Eigen::Matrix3d::Zero()};
+  if (affordable(1, Costs::kPerSmooth) == 0) return {std::numeric_limits<double>::infinity(), Eigen::Matrix3d::Zero()};
   ++costs_.smooths;
   const SmoothValue smooth = objective_.smooth(rotation, width);
   digest(smooth.value);
@@ -106,8 +100,8 @@ void Evaluator::account(const Rotation& rotation, double value, std::uint64_t ev
 void Evaluator::digest(double value) { digest_ = (digest_ ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3u; }
 
 void Evaluator::record(std::uint64_t evaluations) {
-  trace_.push_back({evaluations, seconds(), incumbent_.value,
-                    lower_.value_or(-std::numeric_limits<double>::infinity())});
+  trace_.push_back(
+      {evaluations, seconds(), incumbent_.value, lower_.value_or(-std::numeric_limits<double>::infinity())});
 }
 
 }  // namespace rectilin

@@ -133,8 +133,8 @@ void GeneticOptions::bind(Parameters& table) {
 
 GeneticAlgorithm::GeneticAlgorithm(Options options) : OptimizerWith(options) {
   if (options.elitism >= options.population)
-    throw ParameterError("ga: elitism=" + std::to_string(options.elitism) +
-                         " leaves no room in a population of " + std::to_string(options.population));
+    throw ParameterError("ga: elitism=" + std::to_string(options.elitism) + " leaves no room in a population of " +
+                         std::to_string(options.population));
 }
 
 void GeneticAlgorithm::run(Evaluator& evaluator, const Chart& chart, Random& random) const {

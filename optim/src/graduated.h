@@ -15,15 +15,11 @@ struct Graduation {
   int rounds = 6;
 
   double at(int round) const {
-    return rounds == 1
-               ? narrow
-               : width * std::pow(narrow / width, static_cast<double>(round) / (rounds - 1));
+    return rounds == 1 ? narrow : width * std::pow(narrow / width, static_cast<double>(round) / (rounds - 1));
   }
 
   void bind(Parameters& table) {
-    table
-        .real("width", width, 1e-12, 10,
-              "width of the smooth surrogate in the first round, radians")
+    table.real("width", width, 1e-12, 10, "width of the smooth surrogate in the first round, radians")
         .real("narrow", narrow, 1e-12, 10, "width in the last round")
         .integer("rounds", rounds, 1, 1000, "rounds, each from where the one before it ended");
   }

@@ -29,8 +29,8 @@ class BestNodes {
 };
 
 /// Evaluates n^3 nodes over the box [lower, upper], a plane of the first coordinate at a time.
-void search_box(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper, int n,
-                const Chart& chart, Evaluator& evaluator, BestNodes& best) {
+void search_box(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper, int n, const Chart& chart,
+                Evaluator& evaluator, BestNodes& best) {
   const Eigen::Vector3d step = (upper - lower) / (n - 1);
   const std::size_t plane = static_cast<std::size_t>(n) * n;
   std::vector<Eigen::Vector3d> nodes(plane);
@@ -66,8 +66,8 @@ void GridSearch::run(Evaluator& evaluator, const Chart& chart, Random&) const {
   for (int level = 0; level < options_.levels && !evaluator.exhausted(); ++level) {
     // A copy: the neighbourhoods of this level are those of the best nodes before it.
     for (const Node& node : std::vector<Node>(best.nodes()))
-      search_box((node.x - spacing).cwiseMax(lower), (node.x + spacing).cwiseMin(upper),
-                 options_.refine, chart, evaluator, best);
+      search_box((node.x - spacing).cwiseMax(lower), (node.x + spacing).cwiseMin(upper), options_.refine, chart,
+                 evaluator, best);
     spacing *= 2.0 / (options_.refine - 1);
   }
 }

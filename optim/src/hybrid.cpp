@@ -11,9 +11,7 @@ namespace {
 
 using Vertices = std::array<Simplex::Vertex, 4>;
 
-Simplex::Vertex vertex(const Rotation& rotation, Evaluator& evaluator) {
-  return {rotation, evaluator.value(rotation)};
-}
+Simplex::Vertex vertex(const Rotation& rotation, Evaluator& evaluator) { return {rotation, evaluator.value(rotation)}; }
 
 Simplex random_simplex(Evaluator& evaluator, Random& random) {
   Vertices vertices;
@@ -24,8 +22,7 @@ Simplex random_simplex(Evaluator& evaluator, Random& random) {
 /// Each vertex from one of the parents, more often from the better.
 Simplex swap_vertices(const Simplex& better, const Simplex& worse, Random& random) {
   Vertices vertices;
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    vertices[i] = (random.chance(0.6) ? better : worse).vertices()[i];
+  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = (random.chance(0.6) ? better : worse).vertices()[i];
   return Simplex(vertices);
 }
 
@@ -41,8 +38,7 @@ Simplex mix_vertices(const Simplex& better, const Simplex& worse, Evaluator& eva
 }
 
 /// A population from its creation until it no longer gains.
-void evolve(const HybridOptions& options, const Allowance& allowance, Evaluator& evaluator,
-            Random& random) {
+void evolve(const HybridOptions& options, const Allowance& allowance, Evaluator& evaluator, Random& random) {
   std::vector<Simplex> population;
   for (int i = 0; i < options.population && !allowance.spent(); ++i)
     population.push_back(random_simplex(evaluator, random));
@@ -59,8 +55,8 @@ void evolve(const HybridOptions& options, const Allowance& allowance, Evaluator&
     for (std::size_t i = 0; i < population.size() && !allowance.spent(); ++i) {
       // Parents are sorted: of two, the one drawn lower is the better.
       const auto [a, b] = std::minmax({random.below(half), random.below(half)});
-      Simplex child = i < half ? swap_vertices(parents[a], parents[b], random)
-                               : mix_vertices(parents[a], parents[b], evaluator);
+      Simplex child =
+          i < half ? swap_vertices(parents[a], parents[b], random) : mix_vertices(parents[a], parents[b], evaluator);
       for (int k = 0; k < options.steps && !allowance.spent(); ++k) child.step(evaluator);
       population[i] = child;
     }
@@ -72,10 +68,8 @@ void evolve(const HybridOptions& options, const Allowance& allowance, Evaluator&
 void HybridOptions::bind(Parameters& table) {
   Allowance::bind(table, evaluations);
   table.integer("population", population, 2, 1000000, "simplices")
-      .integer("steps", steps, 0, 1000000,
-               "Nelder-Mead iterations of each simplex in each generation")
-      .integer("patience", patience, 1, 1000000,
-               "generations without gain after which a new population is drawn")
+      .integer("steps", steps, 0, 1000000, "Nelder-Mead iterations of each simplex in each generation")
+      .integer("patience", patience, 1, 1000000, "generations without gain after which a new population is drawn")
       .real("gain", gain, 0, 1, "relative decrease of the value that counts as gain");
 }
 

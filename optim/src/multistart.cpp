@@ -8,8 +8,7 @@ namespace rectilin {
 
 void MultistartOptions::bind(Parameters& table) {
   table.custom(
-      "local",
-      "a local optimizer, its settings separated by commas: nelder-mead?size=0.1,restarts=2",
+      "local", "a local optimizer, its settings separated by commas: nelder-mead?size=0.1,restarts=2",
       [this](const Json& value) {
         if (!value.is_string()) return false;
         local = value.get<std::string>();
@@ -19,15 +18,12 @@ void MultistartOptions::bind(Parameters& table) {
   bind_starts(table, starts, "random starts");
 }
 
-Multistart::Multistart(Options options, const Registry& registry)
-    : OptimizerWith(std::move(options)) {
+Multistart::Multistart(Options options, const Registry& registry) : OptimizerWith(std::move(options)) {
   std::string spec = options_.local;
   std::ranges::replace(spec, ',', '&');
   optimizer_ = registry.make(spec);
   local_ = dynamic_cast<const LocalSearch*>(optimizer_.get());
-  if (!local_)
-    throw ParameterError(std::string(kName) + ": '" + options_.local +
-                         "' is not a local optimizer");
+  if (!local_) throw ParameterError(std::string(kName) + ": '" + options_.local + "' is not a local optimizer");
 }
 
 Capabilities Multistart::capabilities() const {

@@ -11,8 +11,7 @@ void NelderMeadOptions::bind(Parameters& table) {
                "new simplices, each a tenth as large as the one before, at the point converged to");
 }
 
-void NelderMead::improve(const Rotation& start, Evaluator& evaluator, const Chart&,
-                         Random& random) const {
+void NelderMead::improve(const Rotation& start, Evaluator& evaluator, const Chart&, Random& random) const {
   Rotation at = start;
   double size = options_.size;
   for (int round = 0; round <= options_.restarts && !evaluator.exhausted(); ++round, size /= 10) {

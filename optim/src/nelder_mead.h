@@ -23,8 +23,7 @@ class NelderMead final : public LocalOptimizerWith<NelderMeadOptions> {
 
   std::string name() const override { return kName; }
   Capabilities capabilities() const override { return {.uses_chart = false, .local = true}; }
-  void improve(const Rotation& start, Evaluator& evaluator, const Chart& chart,
-               Random& random) const override;
+  void improve(const Rotation& start, Evaluator& evaluator, const Chart& chart, Random& random) const override;
 };
 
 }  // namespace rectilin

@@ -25,33 +25,27 @@ struct NloptOptions {
   const NloptAlgorithm* sublocal = &kNloptAlgorithms[4];  // LN_NELDERMEAD
   Graduation graduation;
 
-  bool gradient() const {
-    return algorithm->gradient() || (algorithm->sublocal && sublocal->gradient());
-  }
+  bool gradient() const { return algorithm->gradient() || (algorithm->sublocal && sublocal->gradient()); }
 
   void bind(Parameters& table) {
     Allowance::bind(table, evaluations);
-    table.real("tolerance", tolerance, 0, 1,
-               "change of the coordinates that ends a search, radians or the like");
+    table.real("tolerance", tolerance, 0, 1, "change of the coordinates that ends a search, radians or the like");
     if (!algorithm->gradient())
       table.real("step", step, 1e-9, 0.5, "first step of a local search, as a share of the box");
     if (algorithm->population)
-      table.integer("population", population, 0, 1000000,
-                    "points in a generation; 0: the library's choice");
+      table.integer("population", population, 0, 1000000, "points in a generation; 0: the library's choice");
     if (algorithm->sublocal) bind_sublocal(table);
-    if (algorithm->gradient() && algorithm->local())
-      graduation.bind(table);
+    if (algorithm->gradient() && algorithm->local()) graduation.bind(table);
     else if (gradient() || algorithm->sublocal)
-      table.real("width", graduation.narrow, 1e-12, 10,
-                 "width of the smooth surrogate, if it is used; radians");
+      table.real("width", graduation.narrow, 1e-12, 10, "width of the smooth surrogate, if it is used; radians");
   }
 
   void bind_sublocal(Parameters& table) {
     table.custom(
         "local", "an algorithm LN_... or LD_... of this family, LN_NELDERMEAD for one",
         [this](const Json& value) {
-          const auto named = std::ranges::find_if(
-              kNloptAlgorithms, [&](const auto& a) { return a.local() && value == a.name; });
+          const auto named =
+              std::ranges::find_if(kNloptAlgorithms, [&](const auto& a) { return a.local() && value == a.name; });
           if (named == std::end(kNloptAlgorithms)) return false;
           sublocal = &*named;
           return true;
@@ -108,8 +102,7 @@ class Task {
       // Central differences of the chart, not of the objective: they cost nothing and err by h^2.
       constexpr double h = 1e-5;
       const Eigen::Vector3d d = h * Eigen::Vector3d::Unit(i);
-      const Eigen::Matrix3d slope =
-          (chart_.rotation(x + d).matrix() - chart_.rotation(x - d).matrix()) / (2 * h);
+      const Eigen::Matrix3d slope = (chart_.rotation(x + d).matrix() - chart_.rotation(x - d).matrix()) / (2 * h);
       gradient[i] = smooth.gradient.cwiseProduct(slope).sum();
     }
     return smooth.value;
@@ -141,15 +134,13 @@ class NloptSearch : public OptimizerWith<NloptOptions> {
   }
 
   void run(Evaluator& evaluator, const Chart& chart, Random& random) const override {
-    const Rotation start = options_.algorithm->uses_start
-                               ? start_of(evaluator, random)
-                               : chart.from_unit(Eigen::Vector3d::Constant(0.5));
+    const Rotation start =
+        options_.algorithm->uses_start ? start_of(evaluator, random) : chart.from_unit(Eigen::Vector3d::Constant(0.5));
     search_from(start, evaluator, chart, random);
   }
 
  protected:
-  void search_from(const Rotation& start, Evaluator& evaluator, const Chart& chart,
-                   Random& random) const {
+  void search_from(const Rotation& start, Evaluator& evaluator, const Chart& chart, Random& random) const {
     nlopt::srand(static_cast<unsigned long>(random.bits()));
     const Allowance allowance(evaluator, options_.evaluations);
     Task task(evaluator, chart, allowance);
@@ -158,10 +149,8 @@ class NloptSearch : public OptimizerWith<NloptOptions> {
 
     // Whatever cuts the search off, the objective itself has been asked for.
     if (!evaluator.has_incumbent()) evaluator.value(chart.rotation(x));
-    if (options_.algorithm->local())
-      descend(task, allowance, x, chart, evaluator);
-    else
-      search_surrogate(task, allowance, x, chart, evaluator);
+    if (options_.algorithm->local()) descend(task, allowance, x, chart, evaluator);
+    else search_surrogate(task, allowance, x, chart, evaluator);
   }
 
  private:
@@ -177,8 +166,8 @@ class NloptSearch : public OptimizerWith<NloptOptions> {
 
   /// The objective is asked for when a search has ended, so there has to be an end before the time
   /// is over.
-  void search_surrogate(Task& task, const Allowance& allowance, const Eigen::Vector3d& start,
-                        const Chart& chart, const Evaluator& evaluator) const {
+  void search_surrogate(Task& task, const Allowance& allowance, const Eigen::Vector3d& start, const Chart& chart,
+                        const Evaluator& evaluator) const {
     int round = 0;
     do {
       task.smooth(options_.graduation.narrow);
@@ -219,10 +208,8 @@ class NloptSearch : public OptimizerWith<NloptOptions> {
   /// Some algorithms go on asking after force_stop(), so they are told of the limits, too.
   void set_limits(nlopt::opt& opt, std::uint64_t calls, const Evaluator& evaluator) const {
     opt.set_xtol_abs(options_.tolerance);
-    if (evaluator.budget().limits_seconds())
-      opt.set_maxtime(std::max(1e-9, evaluator.seconds_left()));
-    opt.set_maxeval(
-        static_cast<int>(std::min<std::uint64_t>(calls, std::numeric_limits<int>::max())));
+    if (evaluator.budget().limits_seconds()) opt.set_maxtime(std::max(1e-9, evaluator.seconds_left()));
+    opt.set_maxeval(static_cast<int>(std::min<std::uint64_t>(calls, std::numeric_limits<int>::max())));
   }
 };
 
@@ -230,8 +217,7 @@ class NloptLocal final : public NloptSearch, public LocalSearch {
  public:
   using NloptSearch::NloptSearch;
 
-  void improve(const Rotation& start, Evaluator& evaluator, const Chart& chart,
-               Random& random) const override {
+  void improve(const Rotation& start, Evaluator& evaluator, const Chart& chart, Random& random) const override {
     search_from(start, evaluator, chart, random);
   }
 };
@@ -246,8 +232,7 @@ std::unique_ptr<Optimizer> make_nlopt(NloptOptions options, const Registry&) {
 void add_nlopt(Registry& registry) {
   for (const NloptAlgorithm& algorithm : kNloptAlgorithms)
     registry.add("nlopt:" + std::string(algorithm.name), algorithm.help,
-                 NloptOptions{.algorithm = &algorithm,
-                              .graduation = algorithm.local() ? Graduation() : kOneRound},
+                 NloptOptions{.algorithm = &algorithm, .graduation = algorithm.local() ? Graduation() : kOneRound},
                  make_nlopt);
 }
 

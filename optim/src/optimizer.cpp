@@ -38,8 +38,7 @@ Capabilities together(const Capabilities& a, const Capabilities& b) {
 
 void require_needs(const Optimizer& optimizer, const Objective& objective) {
   const auto require = [&](bool needed, bool offered, const char* what) {
-    if (needed && !offered)
-      throw ParameterError(optimizer.name() + ": '" + objective.name() + "' has no " + what);
+    if (needed && !offered) throw ParameterError(optimizer.name() + ": '" + objective.name() + "' has no " + what);
   };
   const Capabilities needs = optimizer.capabilities();
   require(needs.needs_cuts, objective.has_cuts(), "cuts");

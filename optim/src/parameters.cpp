@@ -33,9 +33,7 @@ bool is_integer_within(const Json& value, double lower, double upper) {
 }
 
 /// A value as it stands in a message, whatever bytes somebody typed.
-std::string shown(const Json& value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string shown(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 }  // namespace
 
@@ -59,10 +57,8 @@ Spec Spec::parse(std::string_view text) {
   return spec;
 }
 
-Parameters& Parameters::integer(std::string name, int& target, int lower, int upper,
-                                std::string help) {
-  entries_.push_back({std::move(name),
-                      "integer, " + std::to_string(lower) + " to " + std::to_string(upper),
+Parameters& Parameters::integer(std::string name, int& target, int lower, int upper, std::string help) {
+  entries_.push_back({std::move(name), "integer, " + std::to_string(lower) + " to " + std::to_string(upper),
                       std::move(help),
                       [&target, lower, upper](const Json& value) {
                         if (!is_integer_within(value, lower, upper)) return false;
@@ -73,11 +69,9 @@ Parameters& Parameters::integer(std::string name, int& target, int lower, int up
   return *this;
 }
 
-Parameters& Parameters::real(std::string name, double& target, double lower, double upper,
-                             std::string help) {
+Parameters& Parameters::real(std::string name, double& target, double lower, double upper, std::string help) {
   const bool bounded = upper < std::numeric_limits<double>::max();
-  entries_.push_back({std::move(name),
-                      "number, " + number(lower) + (bounded ? " to " + number(upper) : " or more"),
+  entries_.push_back({std::move(name), "number, " + number(lower) + (bounded ? " to " + number(upper) : " or more"),
                       std::move(help),
                       [&target, lower, upper](const Json& value) {
                         if (!value.is_number()) return false;
@@ -128,31 +122,24 @@ bool read_vector3(const Json& value, std::array<double, 3>& target, double lower
   return true;
 }
 
-Parameters& Parameters::vector3(std::string name, std::array<double, 3>& target, double lower,
-                                double upper, std::string help) {
+Parameters& Parameters::vector3(std::string name, std::array<double, 3>& target, double lower, double upper,
+                                std::string help) {
   return custom(
       std::move(name), "three numbers x,y,z, " + number(lower) + " to " + number(upper),
-      [&target, lower, upper](const Json& value) {
-        return read_vector3(value, target, lower, upper);
-      },
-      [&target] {
-        return Json(Json(target[0]).dump() + "," + Json(target[1]).dump() + "," +
-                    Json(target[2]).dump());
-      },
+      [&target, lower, upper](const Json& value) { return read_vector3(value, target, lower, upper); },
+      [&target] { return Json(Json(target[0]).dump() + "," + Json(target[1]).dump() + "," + Json(target[2]).dump()); },
       std::move(help));
 }
 
-Parameters& Parameters::custom(std::string name, std::string accepts,
-                               std::function<bool(const Json&)> assign, std::function<Json()> read,
-                               std::string help) {
-  entries_.push_back(
-      {std::move(name), std::move(accepts), std::move(help), std::move(assign), std::move(read)});
+Parameters& Parameters::custom(std::string name, std::string accepts, std::function<bool(const Json&)> assign,
+                               std::function<Json()> read, std::string help) {
+  entries_.push_back({std::move(name), std::move(accepts), std::move(help), std::move(assign), std::move(read)});
   return *this;
 }
 
 Parameters& Parameters::add_choice(std::string name, std::vector<std::string> words,
-                                   std::function<void(std::size_t)> assign,
-                                   std::function<std::size_t()> read, std::string help) {
+                                   std::function<void(std::size_t)> assign, std::function<std::size_t()> read,
+                                   std::string help) {
   entries_.push_back({std::move(name), join(words, " | "), std::move(help),
                       [words, assign](const Json& value) {
                         if (!value.is_string()) return false;
@@ -167,8 +154,8 @@ Parameters& Parameters::add_choice(std::string name, std::vector<std::string> wo
 
 void Parameters::set(const Json& settings, std::string_view owner) {
   for (const auto& [key, value] : settings.items()) {
-    const auto entry = std::find_if(entries_.begin(), entries_.end(),
-                                    [&key = key](const Entry& e) { return e.name == key; });
+    const auto entry =
+        std::find_if(entries_.begin(), entries_.end(), [&key = key](const Entry& e) { return e.name == key; });
     if (entry == entries_.end()) {
       std::vector<std::string> names;
       for (const auto& e : entries_) names.push_back(e.name);
@@ -176,8 +163,8 @@ void Parameters::set(const Json& settings, std::string_view owner) {
                            (names.empty() ? " (it has none)" : "; it has " + join(names, ", ")));
     }
     if (!entry->assign(value))
-      throw ParameterError(std::string(owner) + ": " + key + "=" + shown(value) +
-                           " is not accepted (" + entry->accepts + ")");
+      throw ParameterError(std::string(owner) + ": " + key + "=" + shown(value) + " is not accepted (" +
+                           entry->accepts + ")");
   }
 }
 
@@ -189,8 +176,7 @@ Json Parameters::values() const {
 
 std::vector<Parameters::Description> Parameters::describe() const {
   std::vector<Description> all;
-  for (const auto& entry : entries_)
-    all.push_back({entry.name, entry.accepts, entry.help, entry.read()});
+  for (const auto& entry : entries_) all.push_back({entry.name, entry.accepts, entry.help, entry.read()});
   return all;
 }
 

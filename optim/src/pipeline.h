@@ -10,8 +10,7 @@ namespace rectilin {
 /// have found.
 class Pipeline final : public Optimizer {
  public:
-  explicit Pipeline(std::vector<std::unique_ptr<const Optimizer>> stages)
-      : stages_(std::move(stages)) {}
+  explicit Pipeline(std::vector<std::unique_ptr<const Optimizer>> stages) : stages_(std::move(stages)) {}
 
   /// The stages' names joined by '+'.
   std::string name() const override;

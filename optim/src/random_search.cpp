@@ -9,8 +9,7 @@ void RandomSearchOptions::bind(Parameters& table) { Allowance::bind(table, evalu
 
 void RandomSearch::run(Evaluator& evaluator, const Chart&, Random& random) const {
   const Allowance allowance(evaluator, options_.evaluations);
-  evaluate_all(evaluator, allowance.remaining(),
-               [&](std::uint64_t) { return random_rotation(random); });
+  evaluate_all(evaluator, allowance.remaining(), [&](std::uint64_t) { return random_rotation(random); });
 }
 
 }  // namespace rectilin

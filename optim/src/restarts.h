@@ -20,8 +20,7 @@ class RestartedOptimizerWith : public LocalOptimizerWith<Options> {
   using LocalOptimizerWith<Options>::LocalOptimizerWith;
 
   void run(Evaluator& evaluator, const Chart& chart, Random& random) const final {
-    improve_from_starts(*this, this->options_.starts, /*from_incumbent=*/true, evaluator, chart,
-                        random);
+    improve_from_starts(*this, this->options_.starts, /*from_incumbent=*/true, evaluator, chart, random);
   }
 };
 

@@ -93,8 +93,8 @@ double frame_angle(const Rotation& a, const Rotation& b) {
   const Eigen::Vector4d best[3] = {{w, x, y, z},
                                    Eigen::Vector4d(w + x, w - x, y + z, y - z) * std::numbers::sqrt2 / 2,
                                    Eigen::Vector4d(w + x + y + z, w + x - y - z, w - x + y - z, w - x - y + z) / 2};
-  const auto& closest = *std::max_element(std::begin(best), std::end(best),
-                                          [](const auto& p, const auto& r) { return p[0] < r[0]; });
+  const auto& closest =
+      *std::max_element(std::begin(best), std::end(best), [](const auto& p, const auto& r) { return p[0] < r[0]; });
   return 2 * std::atan2(closest.tail<3>().norm(), closest[0]);
 }
 

@@ -64,8 +64,8 @@ RunRecord run_optimizer(const Optimizer& optimizer, const Objective& objective, 
   record.incumbent = evaluator.incumbent();
   record.incumbent.rotation = reduce_to_zone(record.incumbent.rotation);
   record.lower = evaluator.lower_bound();
-  record.merit = evaluator.has_incumbent() ? objective.merit(record.incumbent.value)
-                                           : std::numeric_limits<double>::quiet_NaN();
+  record.merit =
+      evaluator.has_incumbent() ? objective.merit(record.incumbent.value) : std::numeric_limits<double>::quiet_NaN();
   record.costs = evaluator.costs();
   record.digest = evaluator.digest();
   record.trace = evaluator.trace();
@@ -74,10 +74,14 @@ RunRecord run_optimizer(const Optimizer& optimizer, const Objective& objective, 
 
 std::string to_string(RunRecord::Outcome outcome) {
   switch (outcome) {
-    case RunRecord::Outcome::kFinished: return "finished";
-    case RunRecord::Outcome::kBudget: return "budget";
-    case RunRecord::Outcome::kStopped: return "stopped";
-    case RunRecord::Outcome::kFailed: return "failed";
+    case RunRecord::Outcome::kFinished:
+      return "finished";
+    case RunRecord::Outcome::kBudget:
+      return "budget";
+    case RunRecord::Outcome::kStopped:
+      return "stopped";
+    case RunRecord::Outcome::kFailed:
+      return "failed";
   }
   return "";
 }

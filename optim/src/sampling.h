@@ -12,14 +12,12 @@ namespace rectilin {
 /// Evaluates sample(0), ..., sample(count - 1), in this order, until the budget is spent.
 template <class Sample>
 void evaluate_all(Evaluator& evaluator, std::uint64_t count, Sample sample) {
-  constexpr std::uint64_t kBatch =
-      1024;  // enough to share out among threads, little enough to stop in time
+  constexpr std::uint64_t kBatch = 1024;  // enough to share out among threads, little enough to stop in time
   std::vector<Rotation> rotations;
   std::vector<double> values;
   for (std::uint64_t i = 0; i < count && !evaluator.exhausted();) {
     rotations.clear();
-    for (const std::uint64_t end = std::min(count, i + kBatch); i < end; ++i)
-      rotations.push_back(sample(i));
+    for (const std::uint64_t end = std::min(count, i + kBatch); i < end; ++i) rotations.push_back(sample(i));
     values.resize(rotations.size());
     evaluator.values(rotations, values);
   }

@@ -34,8 +34,7 @@ Rotation along_geodesic(const Rotation& a, const Rotation& b, double t) {
 Simplex Simplex::around(const Rotation& start, double size, Evaluator& evaluator, Random& random) {
   const Eigen::Matrix3d orientation = random_rotation(random).matrix();
   // Three edges from one corner of a regular tetrahedron: diagonals of the faces of a cube.
-  const Eigen::Matrix3d edges =
-      (Eigen::Matrix3d() << 0, 1, 1, 1, 0, 1, 1, 1, 0).finished() / std::sqrt(2.0);
+  const Eigen::Matrix3d edges = (Eigen::Matrix3d() << 0, 1, 1, 1, 0, 1, 1, 1, 0).finished() / std::sqrt(2.0);
   std::array<Vertex, 4> vertices;
   vertices[0] = {start, evaluator.value(start)};
   for (int i = 0; i < 3; ++i) {
@@ -81,8 +80,7 @@ void Simplex::step(Evaluator& evaluator) {
 
 double Simplex::radius() const {
   double radius = 0;
-  for (const Vertex& v : vertices_)
-    radius = std::max(radius, angle_between(vertices_[0].rotation, v.rotation));
+  for (const Vertex& v : vertices_) radius = std::max(radius, angle_between(vertices_[0].rotation, v.rotation));
   return radius;
 }
 

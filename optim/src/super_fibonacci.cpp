@@ -9,8 +9,7 @@
 namespace rectilin {
 
 void SuperFibonacciOptions::bind(Parameters& table) {
-  table.integer("count", count, 0, 2000000000,
-                "points; 0: what is left of the budget, 10,000 if it has no limit");
+  table.integer("count", count, 0, 2000000000, "points; 0: what is left of the budget, 10,000 if it has no limit");
 }
 
 Rotation super_fibonacci(std::uint64_t i, std::uint64_t count) {
@@ -20,8 +19,7 @@ Rotation super_fibonacci(std::uint64_t i, std::uint64_t count) {
   const double s = static_cast<double>(i) + 0.5, t = s / static_cast<double>(count);
   const double alpha = 2 * std::numbers::pi * s / kPhi, beta = 2 * std::numbers::pi * s / kPsi;
   const double r = std::sqrt(t), q = std::sqrt(1 - t);
-  return Rotation::from_quaternion(
-      {q * std::cos(beta), r * std::sin(alpha), r * std::cos(alpha), q * std::sin(beta)});
+  return Rotation::from_quaternion({q * std::cos(beta), r * std::sin(alpha), r * std::cos(alpha), q * std::sin(beta)});
 }
 
 void SuperFibonacci::run(Evaluator& evaluator, const Chart&, Random&) const {

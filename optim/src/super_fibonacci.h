@@ -21,9 +21,7 @@ class SuperFibonacci final : public OptimizerWith<SuperFibonacciOptions> {
   explicit SuperFibonacci(Options options = {}) : OptimizerWith(options) {}
 
   std::string name() const override { return kName; }
-  Capabilities capabilities() const override {
-    return {.uses_chart = false, .uses_random = false, .batches = true};
-  }
+  Capabilities capabilities() const override { return {.uses_chart = false, .uses_random = false, .batches = true}; }
   void run(Evaluator& evaluator, const Chart& chart, Random& random) const override;
 };
 

@@ -23,8 +23,7 @@ void check(const rectilin::LoadedMesh& loaded) {
   }
   require(report.degenerate < mesh.triangles.size());
   require(report.dropped_short + report.dropped_nonfinite + report.triangulated <= report.polygons);
-  require(report.polygons - report.dropped_short - report.dropped_nonfinite <=
-          mesh.triangles.size());
+  require(report.polygons - report.dropped_short - report.dropped_nonfinite <= mesh.triangles.size());
   require(mesh.vertices.size() + report.nonfinite_vertices <= report.vertices);
   require(report.unreferenced_vertices <= mesh.vertices.size());
 }

@@ -9,20 +9,17 @@ namespace {
 
 /// Settings that would only make a mesh larger, and the fuzzer slower.
 bool is_large(const rectilin::Spec& spec) {
-  return std::any_of(spec.settings.items().begin(), spec.settings.items().end(),
-                     [](const auto& item) {
-                       const double cap = item.key() == "subdivisions" ? 4 : 64;
-                       return item.value().is_number() && item.value().template get<double>() > cap;
-                     });
+  return std::any_of(spec.settings.items().begin(), spec.settings.items().end(), [](const auto& item) {
+    const double cap = item.key() == "subdivisions" ? 4 : 64;
+    return item.value().is_number() && item.value().template get<double>() > cap;
+  });
 }
 
 bool is_valid(const rectilin::Mesh& mesh) {
   return !mesh.triangles.empty() &&
-         std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
-                     [](const auto& p) { return p.allFinite(); }) &&
-         std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
-           return *std::max_element(t.begin(), t.end()) < mesh.vertices.size();
-         });
+         std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](const auto& p) { return p.allFinite(); }) &&
+         std::all_of(mesh.triangles.begin(), mesh.triangles.end(),
+                     [&](const auto& t) { return *std::max_element(t.begin(), t.end()) < mesh.vertices.size(); });
 }
 
 }  // namespace

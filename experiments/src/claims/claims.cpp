@@ -37,8 +37,7 @@ std::string cell(const std::string& text) {
 const std::vector<Claim>& claims() {
   static const std::vector<Claim> all = [] {
     std::vector<Claim> list;
-    for (const Json& entry : Json::parse(claims_detail::kLedger))
-      list.push_back(claim_from_json(entry));
+    for (const Json& entry : Json::parse(claims_detail::kLedger)) list.push_back(claim_from_json(entry));
     return list;
   }();
   return all;
@@ -50,11 +49,10 @@ std::string claims_markdown() {
          "expected | code |\n"
          "| --- | --- | --- | --- | --- | --- | --- |\n";
   for (const Claim& claim : claims()) {
-    out << "| `" << claim.id << "` | " << cell(claim.source) << " | " << cell(claim.statement)
-        << " | " << cell(claim.test) << " | " << Json(claim.tolerance).dump() << ": "
-        << cell(claim.why) << " | " << (claim.should_hold ? "holds" : "fails")
-        << (claim.remark.empty() ? "" : ". ") << cell(claim.remark) << " | `" << claim.code
-        << "` |\n";
+    out << "| `" << claim.id << "` | " << cell(claim.source) << " | " << cell(claim.statement) << " | "
+        << cell(claim.test) << " | " << Json(claim.tolerance).dump() << ": " << cell(claim.why) << " | "
+        << (claim.should_hold ? "holds" : "fails") << (claim.remark.empty() ? "" : ". ") << cell(claim.remark) << " | `"
+        << claim.code << "` |\n";
   }
   return out.str();
 }

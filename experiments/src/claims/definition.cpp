@@ -46,8 +46,7 @@ Finding check_convention(Random random, EulerConvention convention) {
     const Rotation expected = frame_turned(a[0], a[1], a[2]);
     const Rotation got = convention(a[0], a[1], a[2]);
     const double margin = -(got.matrix() - expected.matrix()).cwiseAbs().maxCoeff();
-    if (margin < finding.margin)
-      finding = {margin, "three turns of the frame", nullptr, expected, {}};
+    if (margin < finding.margin) finding = {margin, "three turns of the frame", nullptr, expected, {}};
   }
   return finding;
 }
@@ -58,11 +57,10 @@ Finding check_definition(const Specimen& specimen, Random random, EulerConventio
   for (int i = 0; i < kRotations; ++i) {
     const Vector3 a = random_angles(random);
     long double area = 0, projected = 0;  // S and P, eqs. (10), (11)
-    for_each_turned_face(*specimen.mesh, frame_turned(a[0], a[1], a[2]).matrix(),
-                         [&](const LongVector& eta) {
-                           area += eta.norm() / 2;            // eq. (6)
-                           projected += eta.lpNorm<1>() / 2;  // eq. (7)
-                         });
+    for_each_turned_face(*specimen.mesh, frame_turned(a[0], a[1], a[2]).matrix(), [&](const LongVector& eta) {
+      area += eta.norm() / 2;            // eq. (6)
+      projected += eta.lpNorm<1>() / 2;  // eq. (7)
+    });
     const Rotation rotation = convention(a[0], a[1], a[2]);
     const double expected = static_cast<double>(projected / area);
     const double margin = rounding - std::abs(ratio_at(*specimen.objective, rotation) - expected);
@@ -80,13 +78,11 @@ Finding check_angles(const Specimen& specimen, Random random) {
     double projected = 0;
     for (std::size_t k = 0; k < vectors.size(); ++k) {
       const Vector3 v = rotation.matrix() * vectors[k];
-      const double psi = std::atan2(std::hypot(v.x(), v.y()), v.z()),
-                   phi = std::atan2(v.y(), v.x());
+      const double psi = std::atan2(std::hypot(v.x(), v.y()), v.z()), phi = std::atan2(v.y(), v.x());
       projected += v.norm() * (std::abs(std::cos(psi)) + std::abs(std::sin(psi) * std::cos(phi)) +
                                std::abs(std::sin(psi) * std::sin(phi)));
     }
-    const double margin =
-        -std::abs(ratio_at(*specimen.objective, rotation) - projected / vectors.total);
+    const double margin = -std::abs(ratio_at(*specimen.objective, rotation) - projected / vectors.total);
     if (margin < finding.margin) finding.margin = margin, finding.rotation = rotation;
   }
   return finding;

@@ -10,12 +10,10 @@ namespace {
 const double kSqrt3 = std::sqrt(3.0);
 
 /// Some random rotations, the best one, and one that takes the first face's normal to `target`.
-std::vector<Rotation> rotations_for(const Specimen& specimen, Random& random,
-                                    const Vector3& target) {
+std::vector<Rotation> rotations_for(const Specimen& specimen, Random& random, const Vector3& target) {
   std::vector<Rotation> rotations{specimen.best.rotation};
   for (int i = 0; i < 4; ++i) rotations.push_back(random_rotation(random));
-  rotations.push_back(
-      Rotation::from_quaternion(Eigen::Quaterniond::FromTwoVectors(specimen.vectors()[0], target)));
+  rotations.push_back(Rotation::from_quaternion(Eigen::Quaterniond::FromTwoVectors(specimen.vectors()[0], target)));
   return rotations;
 }
 

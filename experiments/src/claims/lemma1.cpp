@@ -33,9 +33,7 @@ Interval longest_without_kinks(const AreaVectors& vectors, const Rotation& frame
   return longest;
 }
 
-Rotation turned_by(double gamma, const Rotation& frame) {
-  return rotation_from_euler(0, 0, gamma) * frame;
-}
+Rotation turned_by(double gamma, const Rotation& frame) { return rotation_from_euler(0, 0, gamma) * frame; }
 
 }  // namespace
 
@@ -44,18 +42,15 @@ Finding check_not_constant(const Specimen& specimen, Random random) {
   return {greatest.ratio - specimen.best.found, specimen.source, nullptr, greatest.rotation, {}};
 }
 
-double second_difference_error(const ProjectedArea& objective, const Rotation& middle,
-                               double step) {
-  const std::array<Rotation, 3> rotations{turned_by(-step, middle), middle,
-                                          turned_by(step, middle)};
+double second_difference_error(const ProjectedArea& objective, const Rotation& middle, double step) {
+  const std::array<Rotation, 3> rotations{turned_by(-step, middle), middle, turned_by(step, middle)};
   std::array<double, 3> p{};
   objective.values(rotations, p);
   const Vector3 axis = middle.axis(2);
   double h = 0;
   FlatSum(objective.vectors()).values({&axis, 1}, {&h, 1});
   const double second = p[0] + p[2] - 2 * p[1];
-  const double expected =
-      -4 * std::pow(std::sin(step / 2), 2) * (p[1] - h / objective.vectors().total);
+  const double expected = -4 * std::pow(std::sin(step / 2), 2) * (p[1] - h / objective.vectors().total);
   return expected < 0 ? std::abs(second - expected) : std::numeric_limits<double>::infinity();
 }
 

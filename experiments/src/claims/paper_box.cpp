@@ -19,9 +19,7 @@ struct Cell {
   double lower;
   std::uint64_t number;  // of equal bounds the older cell comes first
 
-  bool operator<(const Cell& other) const {
-    return lower != other.lower ? lower > other.lower : number > other.number;
-  }
+  bool operator<(const Cell& other) const { return lower != other.lower ? lower > other.lower : number > other.number; }
   double radius() const { return std::hypot(half[0] + half[2], half[1]); }
 };
 
@@ -29,10 +27,8 @@ double bound(const Cut& cut, const Rotation& at, double radius) {
   if (radius > std::numbers::pi / 2) return 1;  // eq. (12)
   const Eigen::Matrix3d b = at.matrix() * cut.gradient.transpose();
   const double w = turning_gradient(cut.gradient, at).norm();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver((b + b.transpose()) / 2,
-                                                              Eigen::EigenvaluesOnly);
-  return cut.value - std::sin(radius) * w -
-         (1 - std::cos(radius)) * (cut.value - solver.eigenvalues()[0]);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver((b + b.transpose()) / 2, Eigen::EigenvaluesOnly);
+  return cut.value - std::sin(radius) * w - (1 - std::cos(radius)) * (cut.value - solver.eigenvalues()[0]);
 }
 
 class Search {
@@ -80,10 +76,8 @@ class Search {
       cells[i].lower = std::max(cells[i].lower, bound(cuts[i], rotations[i], cells[i].radius()));
     }
     for (const Cell& cell : cells)
-      if (rectilinearity(cell.lower) - rectilinearity(best_.found) > gap_)
-        open_.push(cell);
-      else
-        closed_ = std::min(closed_, cell.lower);
+      if (rectilinearity(cell.lower) - rectilinearity(best_.found) > gap_) open_.push(cell);
+      else closed_ = std::min(closed_, cell.lower);
   }
 
   /// Turns about the third axis stay in the box, up to quarter turns, and the best of them costs a

@@ -28,8 +28,7 @@ Finding sphere_finding(const std::vector<std::string>& sources) {
   // Least squares: the exponent of R as a power of the number of faces.
   const auto n = static_cast<double>(x.size());
   double sx = 0, sy = 0, sxx = 0, sxy = 0;
-  for (std::size_t i = 0; i < x.size(); ++i)
-    sx += x[i], sy += y[i], sxx += x[i] * x[i], sxy += x[i] * y[i];
+  for (std::size_t i = 0; i < x.size(); ++i) sx += x[i], sy += y[i], sxx += x[i] * x[i], sxy += x[i] * y[i];
   const double exponent = (n * sxy - sx * sy) / (n * sxx - sx * sx);
   finding.note = "exponent " + std::to_string(exponent) + "; " + values;
   finding.margin = std::min(finding.margin, 0.0) - std::abs(exponent + 1);
@@ -51,12 +50,10 @@ Finding check_similarity(const Specimen& specimen, Random random) {
   const double area = specimen.vectors().area();
   const Rotation turn = random_rotation(random);
   const double scale = std::exp(random.uniform(-3, 3)) * (random.chance(0.5) ? 1 : -1);
-  const Vector3 shift =
-      std::sqrt(area) * Vector3(random.normal(), random.normal(), random.normal());
+  const Vector3 shift = std::sqrt(area) * Vector3(random.normal(), random.normal(), random.normal());
   auto moved = std::make_shared<Mesh>(*specimen.mesh);
   for (Vector3& p : moved->vertices) p = scale * (turn.matrix() * p + shift);
-  const double rounding =
-      r_change_bound(coordinate_rounding(*moved, area * scale * scale, /*moved=*/true));
+  const double rounding = r_change_bound(coordinate_rounding(*moved, area * scale * scale, /*moved=*/true));
   const Enclosure after = enclose(*moved);
   return {std::min(rounding - distance(specimen.best, after), 0.0),
           specimen.source + ", moved",
@@ -67,8 +64,7 @@ Finding check_similarity(const Specimen& specimen, Random random) {
 
 std::vector<Finding> check_octahedral_spheres(Random) {
   std::vector<std::string> sources;
-  for (int level = 2; level <= 5; ++level)
-    sources.push_back("shape:sphere?subdivisions=" + std::to_string(level));
+  for (int level = 2; level <= 5; ++level) sources.push_back("shape:sphere?subdivisions=" + std::to_string(level));
   return {sphere_finding(sources)};
 }
 
@@ -95,8 +91,7 @@ Finding check_mean(const Specimen& specimen) {
   std::vector<double> h(directions.size());
   FlatSum(specimen.vectors()).values(directions, h);
   double mean = 0;
-  for (const double value : h)
-    mean += value / (static_cast<double>(h.size()) * specimen.vectors().total);
+  for (const double value : h) mean += value / (static_cast<double>(h.size()) * specimen.vectors().total);
   return {-std::abs(3 * mean - 1.5), specimen.source, nullptr, {}, {}};
 }
 

@@ -33,8 +33,7 @@ double angle_defect(const Vector3& a, const Vector3& b) {
 std::vector<Vector3> largest_faces(const AreaVectors& vectors, std::size_t count) {
   std::vector<Vector3> faces;
   for (std::size_t i = 0; i < vectors.size(); ++i) faces.push_back(vectors[i]);
-  std::ranges::stable_sort(faces, std::ranges::greater(),
-                           [](const Vector3& v) { return v.squaredNorm(); });
+  std::ranges::stable_sort(faces, std::ranges::greater(), [](const Vector3& v) { return v.squaredNorm(); });
   faces.resize(std::min(count, faces.size()));
   return faces;
 }
@@ -45,8 +44,7 @@ const double kLeastSlope = slope_at_corner();
 
 double mean_tilt(const AreaVectors& vectors, const Rotation& frame) {
   double sum = 0;
-  for (std::size_t i = 0; i < vectors.size(); ++i)
-    sum += vectors[i].norm() * tilt(frame.matrix() * vectors[i]);
+  for (std::size_t i = 0; i < vectors.size(); ++i) sum += vectors[i].norm() * tilt(frame.matrix() * vectors[i]);
   return sum / vectors.total;
 }
 
@@ -87,8 +85,7 @@ Finding check_one_iff_rectilinear(const Specimen& specimen) {
   double weight = 0, defect = 0;
   for (const Vector3& a : faces) weight += a.norm();
   for (const Vector3& a : faces)
-    for (const Vector3& b : faces)
-      defect += angle_defect(a, b) * a.norm() * b.norm() / (weight * weight);
+    for (const Vector3& b : faces) defect += angle_defect(a, b) * a.norm() * b.norm() / (weight * weight);
   const double r = specimen.best.least_r();
   const double mean = (1 - r) / (2 + r) / kLeastSlope * specimen.vectors().total / weight;
   const double only_if = 2 * mean - defect;
@@ -106,8 +103,8 @@ std::vector<Finding> check_known_shapes(Random random) {
       const Enclosure best = enclose(load_mesh(source).mesh);
       findings.push_back({best.least_r() - 1, source, nullptr, best.rotation, {}});
     }
-  for (const char* shape : {"pyramid", "prism", "cylinder", "cut-cube?depth=0.01",
-                            "filleted-cube?radius=0.01", "torus"}) {
+  for (const char* shape :
+       {"pyramid", "prism", "cylinder", "cut-cube?depth=0.01", "filleted-cube?radius=0.01", "torus"}) {
     const std::string source = posed(shape, random);
     const Enclosure best = enclose(load_mesh(source).mesh);
     findings.push_back({1 - best.greatest_r(), source, nullptr, best.rotation, {}});

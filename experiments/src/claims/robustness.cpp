@@ -13,8 +13,7 @@ namespace {
 
 constexpr double kDeleted = 0.9;  // the paper's 90 %
 constexpr double kPaperChange = 0.005;
-constexpr double kErrors =
-    8;  // standard errors that no sample will reach, nor the largest over all rotations
+constexpr double kErrors = 8;        // standard errors that no sample will reach, nor the largest over all rotations
 constexpr double kFewestKept = 300;  // faces, for the law to be that of large samples
 
 Vector3 area_vector(const Mesh& mesh, const Triangle& t) {
@@ -32,8 +31,7 @@ double total_area(const Mesh& mesh) {
 double relative_change(const Mesh& before, const Mesh& after) {
   double change = 0;
   for (std::size_t i = 0; i < before.triangles.size(); ++i)
-    change +=
-        (area_vector(after, after.triangles[i]) - area_vector(before, before.triangles[i])).norm();
+    change += (area_vector(after, after.triangles[i]) - area_vector(before, before.triangles[i])).norm();
   return change / total_area(before);
 }
 
@@ -41,10 +39,9 @@ double relative_change(const Mesh& before, const Mesh& after) {
 Finding compare(const Specimen& specimen, Mesh mesh, double allowed, const std::string& what) {
   const Enclosure after = enclose(mesh);
   const double change = distance(specimen.best, after);
-  return {allowed - change, specimen.source + ", " + what,
-          std::make_shared<const Mesh>(std::move(mesh)), after.rotation,
-          "R = " + std::to_string(specimen.best.least_r()) + " became " +
-              std::to_string(after.least_r())};
+  return {allowed - change, specimen.source + ", " + what, std::make_shared<const Mesh>(std::move(mesh)),
+          after.rotation,
+          "R = " + std::to_string(specimen.best.least_r()) + " became " + std::to_string(after.least_r())};
 }
 
 /// Faces that would be as good a sample if all were of one size.
@@ -71,15 +68,13 @@ Finding check_stability(const Specimen& specimen, Random random) {
   Mesh holed = without_faces(mesh, 0.01, random.fork(1));
   const double lost = 1 - total_area(holed) / total_area(mesh);
   if (lost >= 1) return noise;  // of a mesh that is nearly all degenerate nothing may be left
-  Finding holes =
-      compare(specimen, std::move(holed), r_change_bound(std::max(lost, 0.0)), "with holes");
+  Finding holes = compare(specimen, std::move(holed), r_change_bound(std::max(lost, 0.0)), "with holes");
   return noise.margin < holes.margin ? noise : holes;
 }
 
 std::vector<Finding> check_noise_on_fine_box(Random random) {
   const Specimen box = make_specimen("shape:box?faces=20000");
-  return {compare(box, with_noise(*box.mesh, 0.002, std::move(random)), 0.1,
-                  "with noise of 0.2 % of its extent")};
+  return {compare(box, with_noise(*box.mesh, 0.002, std::move(random)), 0.1, "with noise of 0.2 % of its extent")};
 }
 
 double deletion_error(const Specimen& specimen, double kept) {
@@ -101,10 +96,8 @@ std::optional<Finding> check_deletion(const Specimen& specimen, Random random) {
 
 std::vector<Finding> check_deletion_on_large_shapes(Random random) {
   std::vector<Finding> findings;
-  for (const char* source :
-       {"shape:ellipsoid?faces=1500000", "shape:blob?faces=1500000", "shape:box?faces=20000"})
-    if (const auto finding = check_deletion(make_specimen(source), random))
-      findings.push_back(*finding);
+  for (const char* source : {"shape:ellipsoid?faces=1500000", "shape:blob?faces=1500000", "shape:box?faces=20000"})
+    if (const auto finding = check_deletion(make_specimen(source), random)) findings.push_back(*finding);
   return findings;
 }
 
@@ -129,8 +122,7 @@ std::vector<Finding> check_simplification(Random) {
                              "shape:blob?faces=40000", "shape:filleted-cube?segments=30"}) {
     const Specimen specimen = make_specimen(source);
     const std::size_t faces = specimen.mesh->triangles.size();
-    findings.push_back(
-        compare(specimen, simplified(*specimen.mesh, faces / 10), 0.01, "simplified to a tenth"));
+    findings.push_back(compare(specimen, simplified(*specimen.mesh, faces / 10), 0.01, "simplified to a tenth"));
   }
   return findings;
 }

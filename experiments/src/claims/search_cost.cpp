@@ -19,8 +19,7 @@ constexpr int kStableGeneration = 150;
 
 Finding stable_finding(const Objective& objective, std::string where, Random& random) {
   const LateGain gain = gain_after_150(objective, random.bits());
-  return {kStable - gain.r, std::move(where), nullptr, gain.rotation,
-          "gain " + std::to_string(gain.r)};
+  return {kStable - gain.r, std::move(where), nullptr, gain.rotation, "gain " + std::to_string(gain.r)};
 }
 
 double thread_seconds() {
@@ -49,10 +48,8 @@ double seconds_per_face(const ProjectedArea& objective, Random random) {
 }  // namespace
 
 LateGain gain_after_150(const Objective& objective, std::uint64_t seed) {
-  const RunRecord run =
-      run_optimizer(GeneticAlgorithm(), objective, {.seed = seed, .chart = &paper_chart()});
-  const auto evaluations =
-      static_cast<std::uint64_t>(kStableGeneration * GeneticOptions().population);
+  const RunRecord run = run_optimizer(GeneticAlgorithm(), objective, {.seed = seed, .chart = &paper_chart()});
+  const auto evaluations = static_cast<std::uint64_t>(kStableGeneration * GeneticOptions().population);
   double then = run.trace.front().value;
   for (const TracePoint& point : run.trace)
     if (point.evaluations <= evaluations) then = point.value;
@@ -65,12 +62,10 @@ Finding check_stable(const Specimen& specimen, Random random) {
 
 std::vector<Finding> check_stable_on_shapes(Random random) {
   std::vector<Finding> findings;
-  for (const char* shape :
-       {"pyramid", "prism", "cut-cube", "filleted-cube?segments=3", "torus", "blob?faces=2000"})
+  for (const char* shape : {"pyramid", "prism", "cut-cube", "filleted-cube?segments=3", "torus", "blob?faces=2000"})
     for (int i = 0; i < 5; ++i) {
       const std::string source = posed(shape, random);
-      findings.push_back(
-          stable_finding(ProjectedArea(area_vectors(load_mesh(source).mesh)), source, random));
+      findings.push_back(stable_finding(ProjectedArea(area_vectors(load_mesh(source).mesh)), source, random));
     }
   return findings;
 }
@@ -89,18 +84,15 @@ std::vector<Finding> check_linear_cost(Random random) {
   std::array<std::uint64_t, 2> evaluations{};
   const std::array<std::string, 2> sources{"shape:blob?faces=2000", "shape:blob?faces=128000"};
   for (std::size_t i = 0; i < 2; ++i) {
-    const ProjectedArea objective(area_vectors(load_mesh(sources[i]).mesh), sources[i],
-                                  Evaluation::kFlat);
+    const ProjectedArea objective(area_vectors(load_mesh(sources[i]).mesh), sources[i], Evaluation::kFlat);
     seconds[i] = seconds_per_face(objective, random);
     GeneticOptions few;
     few.generations = 10;
     evaluations[i] = run_optimizer(GeneticAlgorithm(few), objective, {}).costs.evaluations();
   }
   const double growth = seconds[1] / seconds[0];
-  Finding finding{
-      kSlack - growth, sources[1], nullptr, {}, "time per face times " + std::to_string(growth)};
-  if (evaluations[0] != evaluations[1])
-    finding.margin = -1, finding.note = "the evaluations depend on the mesh";
+  Finding finding{kSlack - growth, sources[1], nullptr, {}, "time per face times " + std::to_string(growth)};
+  if (evaluations[0] != evaluations[1]) finding.margin = -1, finding.note = "the evaluations depend on the mesh";
   return {finding};
 }
 

@@ -17,12 +17,11 @@ Finding loss_on_paper_box(const ProjectedArea& objective, const Enclosure& best)
   if (in_paper_box(best.rotation)) return finding;
   // This search is a plain one. On large meshes, whose bounds cost more, it may end early with an
   // upper bound that proves less of a loss, or none.
-  const auto cells =
-      static_cast<int>(std::clamp(2e9 / static_cast<double>(objective.vectors().size()), 2e3, 2e5));
+  const auto cells = static_cast<int>(std::clamp(2e9 / static_cast<double>(objective.vectors().size()), 2e3, 2e5));
   const Enclosure on_box = enclose_on_paper_box(objective, 1e-6, cells);
   finding.margin = std::min(on_box.greatest_r() - best.least_r(), 0.0);
-  finding.note = "R = " + std::to_string(best.least_r()) + ", on the box from " +
-                 std::to_string(on_box.least_r()) + " to " + std::to_string(on_box.greatest_r());
+  finding.note = "R = " + std::to_string(best.least_r()) + ", on the box from " + std::to_string(on_box.least_r()) +
+                 " to " + std::to_string(on_box.greatest_r());
   return finding;
 }
 
@@ -49,8 +48,7 @@ Finding check_paper_box_in_another_pose(const Specimen& specimen, Random random)
 
 std::vector<Finding> check_cubes_on_paper_box(Random random) {
   std::vector<Finding> findings;
-  for (int i = 0; i < 400; ++i)
-    findings.push_back(check_paper_box(make_specimen(posed("box", random))));
+  for (int i = 0; i < 400; ++i) findings.push_back(check_paper_box(make_specimen(posed("box", random))));
   return findings;
 }
 
@@ -59,8 +57,7 @@ std::vector<Finding> check_three_quarters(Random random) {
   int inside = 0;
   for (int i = 0; i < kFrames; ++i) inside += in_paper_box(random_rotation(random));
   const double share = static_cast<double>(inside) / kFrames;
-  return {
-      {-std::abs(share - 0.75), "random frames", nullptr, {}, "share " + std::to_string(share)}};
+  return {{-std::abs(share - 0.75), "random frames", nullptr, {}, "share " + std::to_string(share)}};
 }
 
 Finding check_chart_on_mesh(const Specimen& specimen, Random random, const Chart& chart) {
@@ -68,8 +65,7 @@ Finding check_chart_on_mesh(const Specimen& specimen, Random random, const Chart
   for (int i = 0; i < 8; ++i) {
     const Rotation wanted = i == 0 ? specimen.best.rotation : random_rotation(random);
     const Rotation reached = chart.rotation(chart.coordinates(wanted));
-    const double margin =
-        -std::abs(ratio_at(*specimen.objective, reached) - ratio_at(*specimen.objective, wanted));
+    const double margin = -std::abs(ratio_at(*specimen.objective, reached) - ratio_at(*specimen.objective, wanted));
     if (margin < finding.margin) finding.margin = margin, finding.rotation = wanted;
   }
   return finding;

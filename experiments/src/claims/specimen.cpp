@@ -34,9 +34,7 @@ Enclosure enclose(const ProjectedArea& objective, double gap, int cells) {
   return {result.incumbent.rotation, result.incumbent.value, result.lower};
 }
 
-Enclosure enclose(const Mesh& mesh, double gap) {
-  return enclose(ProjectedArea(area_vectors(mesh)), gap);
-}
+Enclosure enclose(const Mesh& mesh, double gap) { return enclose(ProjectedArea(area_vectors(mesh)), gap); }
 
 double distance(const Enclosure& a, const Enclosure& b) {
   return std::max({0.0, a.least_r() - b.greatest_r(), b.least_r() - a.greatest_r()});
@@ -46,18 +44,14 @@ Specimen make_specimen(Mesh mesh, std::string name) {
   bring_to_scale(mesh);
   auto objective = std::make_shared<const ProjectedArea>(area_vectors(mesh), name);
   const Enclosure best = enclose(*objective);
-  return {std::move(name), std::make_shared<const Mesh>(std::move(mesh)), std::move(objective),
-          best};
+  return {std::move(name), std::make_shared<const Mesh>(std::move(mesh)), std::move(objective), best};
 }
 
-Specimen make_specimen(const std::string& source) {
-  return make_specimen(load_mesh(source).mesh, source);
-}
+Specimen make_specimen(const std::string& source) { return make_specimen(load_mesh(source).mesh, source); }
 
 std::string posed(const std::string& shape, Random& random) {
   const char separator = shape.find('?') == std::string::npos ? '?' : '&';
-  return "shape:" + shape + separator +
-         "rotate=random&seed=" + std::to_string(random.below(1'000'000));
+  return "shape:" + shape + separator + "rotate=random&seed=" + std::to_string(random.below(1'000'000));
 }
 
 double ratio_at(const Objective& objective, const Rotation& rotation) {
@@ -79,8 +73,7 @@ double coordinate_rounding(const Mesh& mesh, double area, bool moved) {
 }
 
 double r_change_bound(double eta) {
-  return eta < 1 ? 3 * (1 + std::sqrt(3.0)) * eta / (1 - eta)
-                 : std::numeric_limits<double>::infinity();
+  return eta < 1 ? 3 * (1 + std::sqrt(3.0)) * eta / (1 - eta) : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace rectilin::claims_detail

@@ -49,10 +49,8 @@ class Tally {
  public:
   void add(Finding finding) {
     // Only the worst can need its mesh, which may be large.
-    if (!findings_.empty() && findings_[worst_].margin <= finding.margin)
-      finding.mesh.reset();
-    else if (!findings_.empty())
-      findings_[worst_].mesh.reset(), worst_ = findings_.size();
+    if (!findings_.empty() && findings_[worst_].margin <= finding.margin) finding.mesh.reset();
+    else if (!findings_.empty()) findings_[worst_].mesh.reset(), worst_ = findings_.size();
     findings_.push_back(std::move(finding));
   }
 
@@ -61,11 +59,10 @@ class Tally {
     result.claim = &claim;
     result.tested = findings_.size();
     if (findings_.empty()) return result;
-    result.failed = static_cast<std::size_t>(std::ranges::count_if(
-        findings_, [&](const Finding& f) { return f.margin < -claim.tolerance; }));
+    result.failed = static_cast<std::size_t>(
+        std::ranges::count_if(findings_, [&](const Finding& f) { return f.margin < -claim.tolerance; }));
     std::ranges::stable_sort(findings_, {}, &Finding::margin);
-    result.decisive =
-        findings_[static_cast<std::size_t>(quantile * static_cast<double>(findings_.size()))];
+    result.decisive = findings_[static_cast<std::size_t>(quantile * static_cast<double>(findings_.size()))];
     const double margin = result.decisive.margin;
     result.verdict = margin < -claim.tolerance   ? ClaimVerdict::kFails
                      : margin <= claim.tolerance ? ClaimVerdict::kHolds
@@ -82,8 +79,7 @@ class Run {
  public:
   Run(const std::vector<std::string>& sources, const ValidationSettings& settings)
       : settings_(settings), jobs_(jobs_for(settings.claims)), tallies_(jobs_.size()) {
-    if (std::ranges::any_of(jobs_, [](const Job& job) { return job.test->on_mesh != nullptr; }))
-      sources_ = sources;
+    if (std::ranges::any_of(jobs_, [](const Job& job) { return job.test->on_mesh != nullptr; })) sources_ = sources;
     steps_ = sources_.size() + jobs_.size();
   }
 
@@ -118,8 +114,7 @@ class Run {
   }
 
   void test_meshes() {
-    const std::size_t at_once =
-        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    const std::size_t at_once = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     std::size_t next = 0;
     const auto take = [&](tbb::flow_control& flow) {
       if (next == sources_.size() || settings_.stop.stop_requested()) flow.stop();
@@ -127,8 +122,7 @@ class Run {
     };
     const auto test = [&](std::size_t i) {
       std::shared_ptr<Tested> tested;
-      tbb::this_task_arena::isolate(
-          [&] { tested = std::make_shared<Tested>(test_mesh(sources_[i])); });
+      tbb::this_task_arena::isolate([&] { tested = std::make_shared<Tested>(test_mesh(sources_[i])); });
       step(sources_[i]);
       return tested;
     };
@@ -140,10 +134,8 @@ class Run {
     };
     tbb::parallel_pipeline(
         at_once, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, take) &
-                     tbb::make_filter<std::size_t, std::shared_ptr<Tested>>(
-                         tbb::filter_mode::parallel, test) &
-                     tbb::make_filter<std::shared_ptr<Tested>, void>(
-                         tbb::filter_mode::serial_in_order, keep));
+                     tbb::make_filter<std::size_t, std::shared_ptr<Tested>>(tbb::filter_mode::parallel, test) &
+                     tbb::make_filter<std::shared_ptr<Tested>, void>(tbb::filter_mode::serial_in_order, keep));
   }
 
   Tested test_mesh(const std::string& source) const {
@@ -153,8 +145,7 @@ class Run {
       for (const Job& job : jobs_) {
         tested.findings.emplace_back();
         if (job.test->on_mesh)
-          tested.findings.back() =
-              job.test->on_mesh(specimen, stream(settings_.seed, job.claim->id, source));
+          tested.findings.back() = job.test->on_mesh(specimen, stream(settings_.seed, job.claim->id, source));
       }
     } catch (const std::exception& e) {
       tested.findings.clear();

@@ -14,15 +14,13 @@ constexpr std::size_t kName = 22;  // characters that there is room for
 
 /// RFC 4648, section 4.
 std::string base64(std::string_view bytes) {
-  static constexpr char kDigits[] =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     unsigned group = 0;
     for (std::size_t k = i; k < i + 3; ++k)
       group = group << 8 | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k > bytes.size() ? '=' : kDigits[group >> (18 - 6 * k) & 63];
+    for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : kDigits[group >> (18 - 6 * k) & 63];
   }
   return text;
 }
@@ -45,8 +43,7 @@ std::vector<std::string> lines(const std::string& name) {
 }  // namespace
 
 ContactSheet contact_sheet(const std::vector<SheetCell>& cells, int columns) {
-  const bool two_lines =
-      std::ranges::any_of(cells, [](const SheetCell& c) { return lines(c.name).size() > 1; });
+  const bool two_lines = std::ranges::any_of(cells, [](const SheetCell& c) { return lines(c.name).size() > 1; });
   const int cell_height = kHeight + (two_lines ? kLine : 0);
   const int rows = (static_cast<int>(cells.size()) + columns - 1) / columns;
   const int width = columns * kWidth, height = rows * cell_height;
@@ -59,15 +56,14 @@ ContactSheet contact_sheet(const std::vector<SheetCell>& cells, int columns) {
     const int x = static_cast<int>(i) % columns * kWidth, middle = x + kWidth / 2;
     int y = static_cast<int>(i) / columns * cell_height;
     if (!cell.png.empty())
-      svg << "<image x=\"" << x + (kWidth - kPicture) / 2 << "\" y=\"" << y << "\" width=\""
-          << kPicture << "\" height=\"" << kPicture << "\" href=\"data:image/png;base64,"
-          << base64(cell.png) << "\"/>\n";
+      svg << "<image x=\"" << x + (kWidth - kPicture) / 2 << "\" y=\"" << y << "\" width=\"" << kPicture
+          << "\" height=\"" << kPicture << "\" href=\"data:image/png;base64," << base64(cell.png) << "\"/>\n";
     y += kPicture;
     for (const std::string& line : lines(cell.name))
-      svg << "<text x=\"" << middle << "\" y=\"" << (y += kLine) << "\" fill=\"#444\">"
-          << html::escape(line) << "</text>\n";
-    svg << "<text x=\"" << middle << "\" y=\"" << y + kLine + 2 << "\" font-size=\"13\">"
-        << html::escape(cell.value) << "</text>\n";
+      svg << "<text x=\"" << middle << "\" y=\"" << (y += kLine) << "\" fill=\"#444\">" << html::escape(line)
+          << "</text>\n";
+    svg << "<text x=\"" << middle << "\" y=\"" << y + kLine + 2 << "\" font-size=\"13\">" << html::escape(cell.value)
+        << "</text>\n";
   }
   svg << "</svg>\n";
   return {svg.str(), width};

@@ -28,8 +28,7 @@ Experiment shortfall();
 /// ExperimentContext&) const`. `quick` are settings as after the '?' of a Spec: with them it takes
 /// about a second.
 template <class Settings>
-Experiment make_experiment(const std::string& name, std::string title, std::string takes,
-                           const std::string& quick) {
+Experiment make_experiment(const std::string& name, std::string title, std::string takes, const std::string& quick) {
   Settings defaults;
   Parameters shown;
   defaults.bind(shown);
@@ -42,8 +41,7 @@ Experiment make_experiment(const std::string& name, std::string title, std::stri
   };
   std::string spec = name;
   if (!quick.empty()) spec.append("?").append(quick);
-  return {name, std::move(title), std::move(takes), shown.describe(), Spec::parse(spec).settings,
-          run};
+  return {name, std::move(title), std::move(takes), shown.describe(), Spec::parse(spec).settings, run};
 }
 
 }  // namespace rectilin::figures

@@ -12,8 +12,7 @@ struct Spheres {
   int subdivisions = 6;
 
   void bind(Parameters& parameters) {
-    parameters.integer("subdivisions", subdivisions, 1, 8,
-                       "of the octahedron that the finest mesh comes from");
+    parameters.integer("subdivisions", subdivisions, 1, 8, "of the octahedron that the finest mesh comes from");
   }
 
   ExperimentResult run(const ExperimentContext& context) const {
@@ -24,9 +23,8 @@ struct Spheres {
                   .logarithmic = true};
     for (int k = 0; k <= subdivisions; ++k) {
       const std::string faces = std::to_string(8 << 2 * k);
-      series.members.push_back(
-          {static_cast<double>(8 << 2 * k),
-           specimen(faces + " faces", "shape:sphere?subdivisions=" + std::to_string(k))});
+      series.members.push_back({static_cast<double>(8 << 2 * k),
+                                specimen(faces + " faces", "shape:sphere?subdivisions=" + std::to_string(k))});
     }
     MeasuredSeries measured = measure(series, context);
     std::vector<double> faces, values;
@@ -38,8 +36,7 @@ struct Spheres {
     std::snprintf(text, sizeof text,
                   "R falls from %.4f (8 faces) to %.6f (%d faces), as faces^%.2f; its limit is 0 "
                   "(paper: eq. 26)",
-                  values.front(), values.back(), 8 << 2 * subdivisions,
-                  power_law_exponent(faces, values));
+                  values.front(), values.back(), 8 << 2 * subdivisions, power_law_exponent(faces, values));
     measured.result.says = text;
     return measured.result;
   }
@@ -48,8 +45,7 @@ struct Spheres {
 }  // namespace
 
 Experiment fig5() {
-  return make_experiment<Spheres>("fig5", "Triangle meshes that converge to a sphere", "",
-                                  "subdivisions=2");
+  return make_experiment<Spheres>("fig5", "Triangle meshes that converge to a sphere", "", "subdivisions=2");
 }
 
 }  // namespace rectilin::figures

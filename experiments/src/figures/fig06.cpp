@@ -25,8 +25,7 @@ std::vector<double> course(const RunRecord& run, const GeneticOptions& options) 
   auto next = run.trace.begin();
   double value = NAN;
   for (int g = 0; g < options.generations; ++g) {
-    const auto spent =
-        static_cast<std::uint64_t>(options.population) * static_cast<std::uint64_t>(g + 1);
+    const auto spent = static_cast<std::uint64_t>(options.population) * static_cast<std::uint64_t>(g + 1);
     for (; next != run.trace.end() && next->evaluations <= spent; ++next) value = next->value;
     best[g] = rectilinearity(value);
   }
@@ -39,8 +38,7 @@ struct Convergence {
   std::string domain = "paper";
 
   void bind(Parameters& parameters) {
-    parameters
-        .integer("runs", runs, 1, 10'000, "runs on each mesh, each with random numbers of its own")
+    parameters.integer("runs", runs, 1, 10'000, "runs on each mesh, each with random numbers of its own")
         .integer("generations", genetic.generations, 1, 100'000, "generations of each run")
         .custom(
             "domain", "paper | covering | zone",
@@ -65,8 +63,7 @@ struct Convergence {
       specimens.push_back({model.title, model.source, [mesh = model.mesh] { return *mesh; }});
     const std::vector<Measured> certified = measure_all(specimens, context);
     result.data = to_json(specimens, certified);
-    for (std::string& error : errors(specimens, certified))
-      result.errors.push_back(std::move(error));
+    for (std::string& error : errors(specimens, certified)) result.errors.push_back(std::move(error));
 
     std::vector<Course> courses;
     for (std::size_t m = 0; m < models.size(); ++m) {
@@ -93,8 +90,7 @@ struct Convergence {
     }
   };
 
-  std::vector<std::vector<double>> run_all(const Mesh& mesh,
-                                           const ExperimentContext& context) const {
+  std::vector<std::vector<double>> run_all(const Mesh& mesh, const ExperimentContext& context) const {
     const ProjectedArea objective(area_vectors(mesh));
     std::vector<std::vector<double>> all(runs);
     tbb::parallel_for(0, runs, [&](int run) {
@@ -102,8 +98,7 @@ struct Convergence {
       RunSettings settings;
       settings.chart = &chart_by_name(domain);
       settings.seed = Random(context.seed).fork(static_cast<std::uint64_t>(run)).seed();
-      all[run] =
-          figures::course(run_optimizer(GeneticAlgorithm(genetic), objective, settings), genetic);
+      all[run] = figures::course(run_optimizer(GeneticAlgorithm(genetic), objective, settings), genetic);
     });
     return all;
   }
@@ -120,21 +115,18 @@ struct Convergence {
         reached += course.upper - run.back() < kReached;
       }
     const auto percent = [all](std::size_t count) {
-      return std::to_string(
-                 std::lround(100 * static_cast<double>(count) / static_cast<double>(all))) +
-             " %";
+      return std::to_string(std::lround(100 * static_cast<double>(count) / static_cast<double>(all))) + " %";
     };
-    return percent(settled) + " of the runs gain less than " + number(kReached) +
-           " after generation " + std::to_string(stable) + " (paper: stable after about 150); " +
-           percent(reached) + " end within " + number(kReached) + " of the certified R";
+    return percent(settled) + " of the runs gain less than " + number(kReached) + " after generation " +
+           std::to_string(stable) + " (paper: stable after about 150); " + percent(reached) + " end within " +
+           number(kReached) + " of the certified R";
   }
 
   /// With few tics, for panels are small.
   static Axis vertical(const Course& course) {
     double low = course.upper;
     for (const auto& run : course.runs) low = std::min(low, run.front());
-    const double span = std::max(1e-6, course.upper - low),
-                 decade = std::pow(10, std::floor(std::log10(span / 2)));
+    const double span = std::max(1e-6, course.upper - low), decade = std::pow(10, std::floor(std::log10(span / 2)));
     const double step = span / decade > 10 ? 5 * decade : span / decade > 4 ? 2 * decade : decade;
     return {.label = "R",
             .lower = step * std::floor(low / step),
@@ -145,15 +137,13 @@ struct Convergence {
   Plot curves(const std::vector<Course>& courses) const {
     std::vector<std::string> columns = {"generation"};
     for (const Course& course : courses)
-      for (const char* what : {"median", "q10", "q90", "certified"})
-        columns.push_back(course.title + " " + what);
+      for (const char* what : {"median", "q10", "q90", "certified"}) columns.push_back(course.title + " " + what);
     Csv csv(columns);
     for (int g = 1; g <= genetic.generations; ++g) {
       std::vector<Csv::Cell> row = {g};
       for (const Course& course : courses) {
         const std::vector<double> values = course.at(g);
-        for (const double x :
-             {median(values), quantile(values, 0.1), quantile(values, 0.9), course.upper})
+        for (const double x : {median(values), quantile(values, 0.1), quantile(values, 0.9), course.upper})
           row.emplace_back(x);
       }
       csv.row(row);
@@ -163,19 +153,17 @@ struct Convergence {
       const int first = 2 + 4 * m;
       Panel& panel = panels.emplace_back();
       panel.title = courses[m].title;
-      panel.x = {.label = "generation",
-                 .upper = static_cast<double>(genetic.generations),
-                 .step = genetic.generations / 4.0};
+      panel.x = {
+          .label = "generation", .upper = static_cast<double>(genetic.generations), .step = genetic.generations / 4.0};
       panel.y = vertical(courses[m]);
       panel.bands = {{.low = first + 1, .high = first + 2, .style = {}}};
       panel.curves = {{.y = first + 3, .label = "", .style = {.colour = 1, .dash = 1}},
                       {.y = first, .label = "", .style = {}}};
     }
-    return {
-        "fig6",
-        "R of the best individual so far: median and 10 % to 90 % quantiles of " +
-            std::to_string(runs) + " runs; dashed: the certified R.",
-        Figure("Convergence of the genetic algorithm", csv, panels, courses.size() == 1 ? 1 : 2)};
+    return {"fig6",
+            "R of the best individual so far: median and 10 % to 90 % quantiles of " + std::to_string(runs) +
+                " runs; dashed: the certified R.",
+            Figure("Convergence of the genetic algorithm", csv, panels, courses.size() == 1 ? 1 : 2)};
   }
 };
 
@@ -183,8 +171,7 @@ struct Convergence {
 
 Experiment fig6() {
   return make_experiment<Convergence>("fig6", "Convergence of the genetic algorithm",
-                                      "meshes (default: four built-in shapes)",
-                                      "runs=4&generations=20");
+                                      "meshes (default: four built-in shapes)", "runs=4&generations=20");
 }
 
 }  // namespace rectilin::figures

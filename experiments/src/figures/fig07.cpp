@@ -21,8 +21,7 @@ namespace rectilin::figures {
 namespace {
 
 constexpr std::array kGenerations = {50, 100, 200};
-constexpr std::size_t kFittedFrom =
-    1000;  // faces; below, the algorithm itself takes longer than its objective
+constexpr std::size_t kFittedFrom = 1000;  // faces; below, the algorithm itself takes longer than its objective
 constexpr std::array kKinds = {"plain loop", "flat kernel", "tree"};
 
 /// [kind][generations], in seconds of processor time.
@@ -71,8 +70,8 @@ struct Timing {
                   "200 generations take time like N^%.2f with a plain loop (paper: O(N)), N^%.2f "
                   "with the flat kernel "
                   "and N^%.2f with the tree; %.2g, %.2g and %.2g s for N = %zu",
-                  exponent(times, 0, 2), exponent(times, 1, 2), exponent(times, 2, 2),
-                  slowest[0][2], slowest[1][2], slowest[2][2], size);
+                  exponent(times, 0, 2), exponent(times, 1, 2), exponent(times, 2, 2), slowest[0][2], slowest[1][2],
+                  slowest[2][2], size);
     result.says = text;
     result.plots = {std::move(plot)};
     return result;
@@ -81,21 +80,18 @@ struct Timing {
  private:
   /// Sources by their number of directions: one smooth surface, finer and finer, or of the meshes
   /// given a few of every size.
-  std::map<std::size_t, std::string> choose(const ExperimentContext& context,
-                                            std::vector<std::string>& errors) const {
+  std::map<std::size_t, std::string> choose(const ExperimentContext& context, std::vector<std::string>& errors) const {
     std::map<std::size_t, std::string> chosen;
     if (context.meshes.empty()) {
       for (double faces = 1000; faces <= 1.01 * largest; faces *= std::sqrt(10.0))
-        chosen.emplace(std::lround(faces),
-                       "shape:blob?faces=" + std::to_string(std::lround(faces)));
+        chosen.emplace(std::lround(faces), "shape:blob?faces=" + std::to_string(std::lround(faces)));
       return chosen;
     }
     std::map<int, std::pair<std::size_t, std::string>> of_size;  // by quarters of a power of ten
     for (const std::string& source : context.meshes) {
       try {
         const std::size_t size = area_vectors(load_mesh(source).mesh).size();
-        of_size.try_emplace(static_cast<int>(4 * std::log10(static_cast<double>(size))), size,
-                            source);
+        of_size.try_emplace(static_cast<int>(4 * std::log10(static_cast<double>(size))), size, source);
       } catch (const MeshError& e) {
         errors.push_back(e.what());
       }
@@ -105,12 +101,10 @@ struct Timing {
   }
 
   /// Fitted to the meshes whose objective takes most of the time, if there are two of them.
-  static double exponent(const std::map<std::size_t, Times>& times, std::size_t kind,
-                         std::size_t generations) {
+  static double exponent(const std::map<std::size_t, Times>& times, std::size_t kind, std::size_t generations) {
     std::vector<double> sizes, seconds;
     const auto large = times.lower_bound(kFittedFrom);
-    for (auto at = std::distance(large, times.end()) < 2 ? times.begin() : large; at != times.end();
-         ++at) {
+    for (auto at = std::distance(large, times.end()) < 2 ? times.begin() : large; at != times.end(); ++at) {
       sizes.push_back(static_cast<double>(at->first));
       seconds.push_back(at->second[kind][generations]);
     }
@@ -120,8 +114,7 @@ struct Timing {
   static Plot curves(const std::map<std::size_t, Times>& times, bool refined) {
     std::vector<std::string> columns = {"directions"};
     for (const char* kind : kKinds)
-      for (const int generations : kGenerations)
-        columns.push_back(kind + (" " + std::to_string(generations)));
+      for (const int generations : kGenerations) columns.push_back(kind + (" " + std::to_string(generations)));
     Csv csv(columns);
     for (const auto& [size, of_size] : times) {
       std::vector<Csv::Cell> row = {size};
@@ -140,26 +133,21 @@ struct Timing {
     for (std::size_t kind = 0; kind < kKinds.size(); ++kind)
       for (std::size_t g = 0; g < kGenerations.size(); ++g) {
         char label[64];
-        std::snprintf(label, sizeof label, "%s, %d: N^%.2f", kKinds[kind], kGenerations[g],
-                      exponent(times, kind, g));
-        panel.curves.push_back(
-            {.y = static_cast<int>(2 + kGenerations.size() * kind + g),
-             .label = label,
-             .style = {.colour = static_cast<int>(kind), .dash = static_cast<int>(2 - g)}});
+        std::snprintf(label, sizeof label, "%s, %d: N^%.2f", kKinds[kind], kGenerations[g], exponent(times, kind, g));
+        panel.curves.push_back({.y = static_cast<int>(2 + kGenerations.size() * kind + g),
+                                .label = label,
+                                .style = {.colour = static_cast<int>(kind), .dash = static_cast<int>(2 - g)}});
       }
-    return {
-        "fig7", "Generations and fitted exponents are in the legend. Parallel faces count as one.",
-        Figure(refined ? "Genetic algorithm, one mesh refined" : "Genetic algorithm, given meshes",
-               csv, {panel})};
+    return {"fig7", "Generations and fitted exponents are in the legend. Parallel faces count as one.",
+            Figure(refined ? "Genetic algorithm, one mesh refined" : "Genetic algorithm, given meshes", csv, {panel})};
   }
 };
 
 }  // namespace
 
 Experiment fig7() {
-  return make_experiment<Timing>(
-      "fig7", "Time of the genetic algorithm against the number of faces",
-      "meshes, of which it picks some of every size (default: one refined)", "largest=3200");
+  return make_experiment<Timing>("fig7", "Time of the genetic algorithm against the number of faces",
+                                 "meshes, of which it picks some of every size (default: one refined)", "largest=3200");
 }
 
 }  // namespace rectilin::figures

@@ -15,8 +15,7 @@ struct CutCubes {
 
   void bind(Parameters& parameters) {
     parameters.vector3("direction", direction, -1000, 1000, "direction in which parts are cut off")
-        .real("deepest", deepest, 0.01, 0.99,
-              "part of the width in that direction that is cut off at most")
+        .real("deepest", deepest, 0.01, 0.99, "part of the width in that direction that is cut off at most")
         .integer("steps", steps, 1, 1000, "meshes besides the whole cube");
   }
 
@@ -25,17 +24,14 @@ struct CutCubes {
                   .title = "Cubes cut in one direction",
                   .caption = "The larger the part cut off, the less rectilinear the rest.",
                   .axis = {.label = "depth of the cut"}};
-    const std::string towards =
-        number(direction[0]) + "," + number(direction[1]) + "," + number(direction[2]);
+    const std::string towards = number(direction[0]) + "," + number(direction[1]) + "," + number(direction[2]);
     for (int i = 0; i <= steps; ++i) {
       const double depth = deepest * i / steps;
-      series.members.push_back(
-          {depth, specimen("depth " + number(depth),
-                           "shape:cut-cube?direction=" + towards + "&depth=" + number(depth))});
+      series.members.push_back({depth, specimen("depth " + number(depth),
+                                                "shape:cut-cube?direction=" + towards + "&depth=" + number(depth))});
     }
     MeasuredSeries measured = measure(series, context);
-    measured.result.says =
-        "R " + course(measured.members) + " as more is cut off (paper: well behaved)";
+    measured.result.says = "R " + course(measured.members) + " as more is cut off (paper: well behaved)";
     return measured.result;
   }
 };
@@ -43,8 +39,7 @@ struct CutCubes {
 }  // namespace
 
 Experiment fig8() {
-  return make_experiment<CutCubes>("fig8", "Cubes cut in one direction, deeper and deeper", "",
-                                   "steps=4");
+  return make_experiment<CutCubes>("fig8", "Cubes cut in one direction, deeper and deeper", "", "steps=4");
 }
 
 }  // namespace rectilin::figures

@@ -35,17 +35,15 @@ struct FilletedCubes {
     double worst = 0;
     for (int i = 0; i <= steps; ++i) {
       const double radius = 0.5 * i / steps;
-      series.members.push_back({radius, specimen("radius " + number(radius),
-                                                 "shape:filleted-cube?radius=" + number(radius) +
-                                                     "&segments=" + std::to_string(segments))});
+      series.members.push_back(
+          {radius, specimen("radius " + number(radius),
+                            "shape:filleted-cube?radius=" + number(radius) + "&segments=" + std::to_string(segments))});
     }
     MeasuredSeries measured = measure(series, context);
     for (std::size_t i = 0; i < measured.members.size(); ++i)
-      worst = std::max(
-          worst, std::abs(measured.members[i].rectilinearity - ideal(series.members[i].number)));
-    measured.result.says = "R " + course(measured.members) +
-                           " with the radius (paper: well behaved), within " + four_digits(worst) +
-                           " of the ideal shapes' R";
+      worst = std::max(worst, std::abs(measured.members[i].rectilinearity - ideal(series.members[i].number)));
+    measured.result.says = "R " + course(measured.members) + " with the radius (paper: well behaved), within " +
+                           four_digits(worst) + " of the ideal shapes' R";
     return measured.result;
   }
 };
@@ -53,8 +51,7 @@ struct FilletedCubes {
 }  // namespace
 
 Experiment fig9() {
-  return make_experiment<FilletedCubes>("fig9", "Filleted cubes of growing radius", "",
-                                        "steps=4&segments=4");
+  return make_experiment<FilletedCubes>("fig9", "Filleted cubes of growing radius", "", "steps=4&segments=4");
 }
 
 }  // namespace rectilin::figures

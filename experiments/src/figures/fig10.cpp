@@ -15,8 +15,7 @@ struct Ellipsoids {
   int longest = 8, steps = 14, faces = 10'000;
 
   void bind(Parameters& parameters) {
-    parameters
-        .integer("longest", longest, 2, 100, "largest ratio of the long axis to the two others")
+    parameters.integer("longest", longest, 2, 100, "largest ratio of the long axis to the two others")
         .integer("steps", steps, 1, 1000, "meshes besides the sphere")
         .integer("faces", faces, 8, 10'000'000, "triangles of each");
   }
@@ -28,13 +27,12 @@ struct Ellipsoids {
                   .axis = {.label = "length, in widths"}};
     for (int i = 0; i <= steps; ++i) {
       const double length = 1 + (longest - 1.0) * i / steps;
-      series.members.push_back({length, specimen("length " + number(length),
-                                                 "shape:ellipsoid?a=" + number(length) +
-                                                     "&b=1&c=1&faces=" + std::to_string(faces))});
+      series.members.push_back(
+          {length, specimen("length " + number(length),
+                            "shape:ellipsoid?a=" + number(length) + "&b=1&c=1&faces=" + std::to_string(faces))});
     }
     MeasuredSeries measured = measure(series, context);
-    measured.result.says = "R " + course(measured.members) +
-                           " with the length (paper: well behaved); the limit is " +
+    measured.result.says = "R " + course(measured.members) + " with the length (paper: well behaved); the limit is " +
                            four_digits(kNeedle);
     return measured.result;
   }
@@ -43,8 +41,7 @@ struct Ellipsoids {
 }  // namespace
 
 Experiment fig10() {
-  return make_experiment<Ellipsoids>("fig10", "Ellipsoids, longer and longer", "",
-                                     "steps=4&faces=500");
+  return make_experiment<Ellipsoids>("fig10", "Ellipsoids, longer and longer", "", "steps=4&faces=500");
 }
 
 }  // namespace rectilin::figures

@@ -11,9 +11,8 @@
 namespace rectilin::figures {
 namespace {
 
-constexpr std::array kNoise = {0.0003, 0.001, 0.003,
-                               0.01};  // standard deviations, in largest extents
-constexpr std::size_t kSmall = 1;      // the noise that is spoken of
+constexpr std::array kNoise = {0.0003, 0.001, 0.003, 0.01};  // standard deviations, in largest extents
+constexpr std::size_t kSmall = 1;                            // the noise that is spoken of
 
 /// The mesh with round holes: without the faces near some of its faces, chosen at random.
 Mesh with_holes(const Mesh& mesh, int holes, double radius, Random random) {
@@ -21,13 +20,11 @@ Mesh with_holes(const Mesh& mesh, int holes, double radius, Random random) {
     return Vector3((mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3);
   };
   std::vector<Vector3> centres;
-  for (int i = 0; i < holes; ++i)
-    centres.push_back(middle(mesh.triangles[random.below(mesh.triangles.size())]));
+  for (int i = 0; i < holes; ++i) centres.push_back(middle(mesh.triangles[random.below(mesh.triangles.size())]));
   const double reach = radius * largest_extent(mesh);
   Mesh rest = mesh;
   std::erase_if(rest.triangles, [&](const Triangle& t) {
-    return std::ranges::any_of(centres,
-                               [&](const Vector3& c) { return (middle(t) - c).norm() < reach; });
+    return std::ranges::any_of(centres, [&](const Vector3& c) { return (middle(t) - c).norm() < reach; });
   });
   return rest;
 }
@@ -47,8 +44,7 @@ struct Disturbances {
   void bind(Parameters& parameters) {
     parameters.integer("holes", holes, 1, 1000, "number of holes")
         .real("radius", radius, 0, 1, "of a hole, in largest extents")
-        .integer("finest", finest, 1000, 10'000'000,
-                 "triangles of the finest of three built-in chairs, about");
+        .integer("finest", finest, 1000, 10'000'000, "triangles of the finest of three built-in chairs, about");
     pose.bind(parameters);
   }
 
@@ -60,12 +56,10 @@ struct Disturbances {
       for (const int faces : {finest / 100, finest / 10, finest}) {
         const auto mesh = std::make_shared<const Mesh>(chair({.faces = faces}));
         const std::string title = std::to_string(mesh->triangles.size()) + " faces";
-        families.push_back(
-            family({title, "shape: a chair of " + title, mesh}, context.seed, specimens));
+        families.push_back(family({title, "shape: a chair of " + title, mesh}, context.seed, specimens));
         families.back().topology.push_back(specimens.size());
-        specimens.push_back(
-            {title + ", slats", "the chair of " + title + " with slats and stretchers",
-             [faces] { return chair({.slats = 6, .stretchers = true, .faces = faces}); }, Up::kZ});
+        specimens.push_back({title + ", slats", "the chair of " + title + " with slats and stretchers",
+                             [faces] { return chair({.slats = 6, .stretchers = true, .faces = faces}); }, Up::kZ});
       }
     } else {
       for (const Model& model : load_models(context, {}, result.errors))
@@ -75,8 +69,7 @@ struct Disturbances {
     result.says = claim(families, results);
     result.data = to_json(specimens, results);
     result.plots = {curves(families, results)};
-    result.sheets = {sheet("fig12-meshes", "Noise is given in percent of the largest extent.",
-                           specimens, results,
+    result.sheets = {sheet("fig12-meshes", "Noise is given in percent of the largest extent.", specimens, results,
                            static_cast<int>(specimens.size() / families.size()))};
     for (std::string& error : errors(specimens, results)) result.errors.push_back(std::move(error));
     return result;
@@ -86,24 +79,21 @@ struct Disturbances {
   /// Adds the mesh itself, with holes and with noise.
   Family family(const Model& model, std::uint64_t seed, std::vector<Specimen>& specimens) const {
     const auto add = [&](const std::string& change, std::function<Mesh()> make) {
-      specimens.push_back(
-          {model.title + change, model.source + change, std::move(make), pose.of(model.source)});
+      specimens.push_back({model.title + change, model.source + change, std::move(make), pose.of(model.source)});
       return specimens.size() - 1;
     };
     Family family{model.title, add("", [mesh = model.mesh] { return *mesh; }), {}, {}};
     for (const double amount : kNoise)
-      family.noise.push_back(add(
-          ", noise " + number(100 * amount) + " %",
-          [mesh = model.mesh, amount, seed] { return with_noise(*mesh, amount, Random(seed)); }));
-    family.topology.push_back(
-        add(", holes", [count = holes, reach = radius, mesh = model.mesh, seed] {
-          return with_holes(*mesh, count, reach, Random(seed));
-        }));
+      family.noise.push_back(add(", noise " + number(100 * amount) + " %", [mesh = model.mesh, amount, seed] {
+        return with_noise(*mesh, amount, Random(seed));
+      }));
+    family.topology.push_back(add(", holes", [count = holes, reach = radius, mesh = model.mesh, seed] {
+      return with_holes(*mesh, count, reach, Random(seed));
+    }));
     return family;
   }
 
-  static std::string claim(const std::vector<Family>& families,
-                           const std::vector<Measured>& results) {
+  static std::string claim(const std::vector<Family>& families, const std::vector<Measured>& results) {
     double topology = 0;
     std::string noise;
     for (const Family& family : families) {
@@ -115,8 +105,7 @@ struct Disturbances {
       noise.append(" (").append(family.title).append(")");
     }
     return "R changes by at most " + four_digits(topology) + " with other topology; noise of " +
-           number(100 * kNoise[kSmall]) + " % of the extent changes it by " + noise +
-           " (paper: robust to both)";
+           number(100 * kNoise[kSmall]) + " % of the extent changes it by " + noise + " (paper: robust to both)";
   }
 
   static Plot curves(const std::vector<Family>& families, const std::vector<Measured>& results) {
@@ -131,14 +120,9 @@ struct Disturbances {
       }
       csv.row(row);
     }
-    Panel panel{.title = "",
-                .x = {.label = "noise, % of the extent"},
-                .y = {.label = "R"},
-                .bands = {},
-                .curves = {}};
+    Panel panel{.title = "", .x = {.label = "noise, % of the extent"}, .y = {.label = "R"}, .bands = {}, .curves = {}};
     for (int m = 0; m < static_cast<int>(families.size()); ++m)
-      panel.curves.push_back(
-          {.y = 2 + m, .label = families[m].title, .style = {.colour = m}, .points = true});
+      panel.curves.push_back({.y = 2 + m, .label = families[m].title, .style = {.colour = m}, .points = true});
     return {"fig12",
             "What noise does depends on the faces: it turns them by about its size over the length "
             "of their edges.",

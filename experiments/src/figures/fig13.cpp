@@ -43,8 +43,7 @@ struct Deletion {
     result.says = claim(models, spreads);
     result.data = to_json(specimens, results);
     result.plots = {curves(models, spreads), changes(models, spreads)};
-    result.sheets = {sheet("fig13-meshes", "The meshes without some of their faces (first run).",
-                           specimens, results)};
+    result.sheets = {sheet("fig13-meshes", "The meshes without some of their faces (first run).", specimens, results)};
     for (std::string& error : errors(specimens, results)) result.errors.push_back(std::move(error));
     return result;
   }
@@ -58,17 +57,14 @@ struct Deletion {
         for (int run = 0; run < runs; ++run) {
           const std::string what = ", " + number(100 * part) + " % deleted";
           const Random random = Random(seed).fork(static_cast<std::uint64_t>(run));
-          specimens.push_back(
-              {model.title + what, model.source + what + ", run " + std::to_string(run + 1),
-               [mesh = model.mesh, part, random] { return without_faces(*mesh, part, random); }});
-          if (run == 0 && std::ranges::count(kShown, part) > 0)
-            specimens.back().pictured = pose.of(model.source);
+          specimens.push_back({model.title + what, model.source + what + ", run " + std::to_string(run + 1),
+                               [mesh = model.mesh, part, random] { return without_faces(*mesh, part, random); }});
+          if (run == 0 && std::ranges::count(kShown, part) > 0) specimens.back().pictured = pose.of(model.source);
         }
     return specimens;
   }
 
-  std::vector<std::vector<Spread>> summarise(std::size_t models,
-                                             const std::vector<Measured>& results) const {
+  std::vector<std::vector<Spread>> summarise(std::size_t models, const std::vector<Measured>& results) const {
     std::vector<std::vector<Spread>> spreads(models);
     auto next = results.begin();
     for (auto& of_model : spreads) {
@@ -86,64 +82,48 @@ struct Deletion {
     return spreads;
   }
 
-  std::string claim(const std::vector<Model>& models,
-                    const std::vector<std::vector<Spread>>& spreads) const {
+  std::string claim(const std::vector<Model>& models, const std::vector<std::vector<Spread>>& spreads) const {
     const auto at = std::ranges::find(kDeleted, kClaimedAt) - kDeleted.begin();
     std::string text = "with 90 % of the faces deleted R changes by at most ";
     for (std::size_t m = 0; m < models.size(); ++m)
-      text +=
-          (m > 0 ? ", " : "") + four_digits(spreads[m][at].change) + " (" + models[m].title + ")";
+      text += (m > 0 ? ", " : "") + four_digits(spreads[m][at].change) + " (" + models[m].title + ")";
     return text + " in " + std::to_string(runs) + " runs (paper: less than 0.005)";
   }
 
-  static Csv table(const std::vector<Model>& models,
-                   const std::vector<std::vector<Spread>>& spreads) {
+  static Csv table(const std::vector<Model>& models, const std::vector<std::vector<Spread>>& spreads) {
     std::vector<std::string> columns = {"deleted", "claimed"};
     for (const Model& model : models)
-      for (const char* what : {"median", "least", "largest", "change"})
-        columns.push_back(model.title + " " + what);
+      for (const char* what : {"median", "least", "largest", "change"}) columns.push_back(model.title + " " + what);
     Csv csv(columns);
     for (std::size_t i = 0; i < kDeleted.size(); ++i) {
       std::vector<Csv::Cell> row = {100 * kDeleted[i], kClaimed};
       for (const auto& of_model : spreads)
-        for (const double x :
-             {of_model[i].median, of_model[i].least, of_model[i].largest, of_model[i].change})
+        for (const double x : {of_model[i].median, of_model[i].least, of_model[i].largest, of_model[i].change})
           row.emplace_back(x);
       csv.row(row);
     }
     return csv;
   }
 
-  Plot curves(const std::vector<Model>& models,
-              const std::vector<std::vector<Spread>>& spreads) const {
-    Panel panel{.title = "",
-                .x = {.label = "faces deleted, %"},
-                .y = {.label = "R"},
-                .bands = {},
-                .curves = {}};
+  Plot curves(const std::vector<Model>& models, const std::vector<std::vector<Spread>>& spreads) const {
+    Panel panel{.title = "", .x = {.label = "faces deleted, %"}, .y = {.label = "R"}, .bands = {}, .curves = {}};
     for (int m = 0; m < static_cast<int>(models.size()); ++m) {
       panel.bands.push_back({.low = 4 + 4 * m, .high = 5 + 4 * m, .style = {.colour = m}});
-      panel.curves.push_back(
-          {.y = 3 + 4 * m, .label = models[m].title, .style = {.colour = m}, .points = true});
+      panel.curves.push_back({.y = 3 + 4 * m, .label = models[m].title, .style = {.colour = m}, .points = true});
     }
-    return {"fig13",
-            "Median and range of R over " + std::to_string(runs) +
-                " random choices of the deleted faces.",
+    return {"fig13", "Median and range of R over " + std::to_string(runs) + " random choices of the deleted faces.",
             Figure("R of what random deletion leaves", table(models, spreads), {panel})};
   }
 
-  Plot changes(const std::vector<Model>& models,
-               const std::vector<std::vector<Spread>>& spreads) const {
+  Plot changes(const std::vector<Model>& models, const std::vector<std::vector<Spread>>& spreads) const {
     Panel panel{.title = "",
                 .x = {.label = "faces deleted, %"},
                 .y = {.label = "largest change of R", .logarithmic = true},
                 .bands = {},
                 .curves = {{.y = 2, .label = "0.005", .style = {.colour = 6, .dash = 1}}}};
     for (int m = 0; m < static_cast<int>(models.size()); ++m)
-      panel.curves.push_back(
-          {.y = 6 + 4 * m, .label = models[m].title, .style = {.colour = m}, .points = true});
-    return {"fig13-change",
-            "Largest change of R over the runs. The paper reports less than 0.005 at 90 %.",
+      panel.curves.push_back({.y = 6 + 4 * m, .label = models[m].title, .style = {.colour = m}, .points = true});
+    return {"fig13-change", "Largest change of R over the runs. The paper reports less than 0.005 at 90 %.",
             Figure("How far R moves", table(models, spreads), {panel})};
   }
 };
@@ -151,8 +131,7 @@ struct Deletion {
 }  // namespace
 
 Experiment fig13() {
-  return make_experiment<Deletion>("fig13", "Random deletion of faces",
-                                   "meshes (default: a torus and a rough blob)",
+  return make_experiment<Deletion>("fig13", "Random deletion of faces", "meshes (default: a torus and a rough blob)",
                                    "runs=2&faces=2000");
 }
 

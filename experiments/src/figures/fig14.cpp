@@ -29,21 +29,18 @@ struct Simplification {
     for (const Model& model : models)
       for (const double part : kKept) {
         const std::string what = ", " + number(100 * part) + " %";
-        specimens.push_back(
-            {model.title + what, model.source + what + " of the faces", [mesh = model.mesh, part] {
-               const double kept = part * static_cast<double>(mesh->triangles.size());
-               return simplified(*mesh, static_cast<std::size_t>(kept));
-             }});
+        specimens.push_back({model.title + what, model.source + what + " of the faces", [mesh = model.mesh, part] {
+                               const double kept = part * static_cast<double>(mesh->triangles.size());
+                               return simplified(*mesh, static_cast<std::size_t>(kept));
+                             }});
         if (std::ranges::count(kShown, part) > 0) specimens.back().pictured = pose.of(model.source);
       }
     const std::vector<Measured> results = measure_all(specimens, context);
     for (std::size_t i = 0; i < specimens.size(); ++i)  // what was asked for is not always reached
-      specimens[i].label =
-          models[i / kKept.size()].title + ", " + std::to_string(results[i].faces) + " faces";
+      specimens[i].label = models[i / kKept.size()].title + ", " + std::to_string(results[i].faces) + " faces";
 
-    result.says = "R changes by at most " + change(models, results, 0.1) +
-                  " at 10 % of the faces and " + change(models, results, 0.01) +
-                  " at 1 % (paper: little effect)";
+    result.says = "R changes by at most " + change(models, results, 0.1) + " at 10 % of the faces and " +
+                  change(models, results, 0.01) + " at 1 % (paper: little effect)";
     result.data = to_json(specimens, results);
     result.plots = {curves(models, results)};
     result.sheets = {sheet("fig14-meshes", "The meshes, simplified.", specimens, results, 3)};
@@ -53,15 +50,13 @@ struct Simplification {
 
  private:
   /// Largest over the meshes.
-  static std::string change(const std::vector<Model>& models, const std::vector<Measured>& results,
-                            double part) {
+  static std::string change(const std::vector<Model>& models, const std::vector<Measured>& results, double part) {
     const auto at = std::ranges::find(kKept, part) - kKept.begin();
     double largest = 0;
     for (std::size_t m = 0; m < models.size(); ++m) {
       const Measured* of_model = &results[m * kKept.size()];
       if (of_model[at].error.empty())
-        largest =
-            std::max(largest, std::abs(of_model[at].rectilinearity - of_model[0].rectilinearity));
+        largest = std::max(largest, std::abs(of_model[at].rectilinearity - of_model[0].rectilinearity));
     }
     return four_digits(largest);
   }
@@ -77,8 +72,8 @@ struct Simplification {
         const Measured& r = results[m * kKept.size() + i];
         const bool known = r.error.empty();
         const auto all = static_cast<double>(models[m].mesh->triangles.size());
-        row.insert(row.end(), {r.faces, known ? 100 * static_cast<double>(r.faces) / all : NAN,
-                               known ? r.rectilinearity : NAN});
+        row.insert(row.end(),
+                   {r.faces, known ? 100 * static_cast<double>(r.faces) / all : NAN, known ? r.rectilinearity : NAN});
       }
       csv.row(row);
     }
@@ -88,11 +83,8 @@ struct Simplification {
                 .bands = {},
                 .curves = {}};
     for (int m = 0; m < static_cast<int>(models.size()); ++m)
-      panel.curves.push_back({.x = 3 + 3 * m,
-                              .y = 4 + 3 * m,
-                              .label = models[m].title,
-                              .style = {.colour = m},
-                              .points = true});
+      panel.curves.push_back(
+          {.x = 3 + 3 * m, .y = 4 + 3 * m, .label = models[m].title, .style = {.colour = m}, .points = true});
     return {"fig14", "R of simplified meshes.", Figure("R of simplified meshes", csv, {panel})};
   }
 };
@@ -100,9 +92,8 @@ struct Simplification {
 }  // namespace
 
 Experiment fig14() {
-  return make_experiment<Simplification>(
-      "fig14", "Quadric simplification, down to 1 % of the faces",
-      "meshes (default: a torus and a rough blob)", "faces=2000");
+  return make_experiment<Simplification>("fig14", "Quadric simplification, down to 1 % of the faces",
+                                         "meshes (default: a torus and a rough blob)", "faces=2000");
 }
 
 }  // namespace rectilin::figures

@@ -1,5 +1,5 @@
-// How the certified interval closes: the gap between the best R found and the bound no rotation exceeds, against the boxes
-// looked at and against time, on meshes of different kinds.
+// How the certified interval closes: the gap between the best R found and the bound no rotation exceeds, against the
+// boxes looked at and against time, on meshes of different kinds.
 #include <algorithm>
 #include <cmath>
 
@@ -77,11 +77,10 @@ struct Gap {
   void bind(Parameters& parameters) { parameters.real("gap", gap, 1e-10, 1, "gap of R at which a proof ends"); }
 
   ExperimentResult run(const ExperimentContext& context) const {
-    std::vector<Specimen> specimens = {specimen("noisy box", "shape:box?faces=20000&noise=0.002&rotate=random"),
-                                       specimen("bumpy blob", "shape:blob?faces=20000"),
-                                       specimen("triangle soup", "shape:soup?faces=1000"),
-                                       specimen("cylinder", "shape:cylinder?sides=64"),
-                                       specimen("sphere", "shape:sphere?kind=even&faces=2000")};
+    std::vector<Specimen> specimens = {
+        specimen("noisy box", "shape:box?faces=20000&noise=0.002&rotate=random"),
+        specimen("bumpy blob", "shape:blob?faces=20000"), specimen("triangle soup", "shape:soup?faces=1000"),
+        specimen("cylinder", "shape:cylinder?sides=64"), specimen("sphere", "shape:sphere?kind=even&faces=2000")};
     if (!context.meshes.empty()) {
       specimens.clear();
       for (const std::string& mesh : context.meshes)
@@ -106,16 +105,16 @@ struct Gap {
                              {"closed", path.result.closed}});
     }
     if (paths.empty()) return result;
-    const auto [fewest, most] = std::ranges::minmax(
-        paths, {}, [](const Trajectory& path) { return path.result.cells; });
+    const auto [fewest, most] =
+        std::ranges::minmax(paths, {}, [](const Trajectory& path) { return path.result.cells; });
     const auto closed = std::ranges::count_if(paths, [](const Trajectory& path) { return path.result.closed; });
     result.says = std::to_string(closed) + " of " + std::to_string(paths.size()) + " proofs closed, after " +
                   std::to_string(fewest.result.cells) + " (" + fewest.label + ") to " +
                   std::to_string(most.result.cells) + " boxes (" + most.label + "); the paper leaves the optimum open";
-    result.plots = {picture(paths, "gap-cells", "Each box of rotations costs about a microsecond.",
-                            {.label = "boxes of rotations", .logarithmic = true}, 1),
-                    picture(paths, "gap-seconds", "The same in time, on all cores.",
-                            {.label = "seconds", .logarithmic = true}, 2)};
+    result.plots = {
+        picture(paths, "gap-cells", "Each box of rotations costs about a microsecond.",
+                {.label = "boxes of rotations", .logarithmic = true}, 1),
+        picture(paths, "gap-seconds", "The same in time, on all cores.", {.label = "seconds", .logarithmic = true}, 2)};
     return result;
   }
 };

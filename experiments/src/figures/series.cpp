@@ -16,10 +16,9 @@ Plot curve(const Series& series, const MeasuredSeries& measured) {
   for (std::size_t i = 0; i < series.members.size(); ++i) {
     const Measured& m = measured.members[i];
     const bool known = m.error.empty();
-    std::vector<Csv::Cell> row = {series.members[i].number, known ? m.rectilinearity : NAN,
-                                  known ? m.lower : NAN, known ? m.upper : NAN, m.faces};
-    for (const Measured& other : measured.compared)
-      row.push_back(other.error.empty() ? other.rectilinearity : NAN);
+    std::vector<Csv::Cell> row = {series.members[i].number, known ? m.rectilinearity : NAN, known ? m.lower : NAN,
+                                  known ? m.upper : NAN, m.faces};
+    for (const Measured& other : measured.compared) row.push_back(other.error.empty() ? other.rectilinearity : NAN);
     csv.row(row);
   }
   Axis x = series.axis;
@@ -27,25 +26,19 @@ Plot curve(const Series& series, const MeasuredSeries& measured) {
     x.lower = series.members.front().number;
     x.upper = series.members.back().number;
   }
-  Panel panel{.title = "",
-              .x = x,
-              .y = {.label = "R", .logarithmic = series.logarithmic},
-              .bands = {},
-              .curves = {}};
+  Panel panel{.title = "", .x = x, .y = {.label = "R", .logarithmic = series.logarithmic}, .bands = {}, .curves = {}};
   for (std::size_t i = 0; i < series.compared.size(); ++i)
     panel.curves.push_back({.y = 6 + static_cast<int>(i),
                             .label = series.compared[i].label,
                             .style = {.colour = 1 + static_cast<int>(i), .dash = 1}});
-  panel.curves.push_back(
-      {.y = 2, .label = series.compared.empty() ? "" : "R", .style = {}, .points = true});
+  panel.curves.push_back({.y = 2, .label = series.compared.empty() ? "" : "R", .style = {}, .points = true});
   return {series.name, series.caption, Figure(series.title, csv, {panel})};
 }
 
 /// Marks the first, the last, and some evenly between them to be shown.
 void show_some(std::vector<Specimen>& specimens, std::size_t count) {
   const std::size_t last = specimens.size() - 1, steps = std::min(count - 1, last);
-  for (std::size_t k = 0; k <= steps; ++k)
-    specimens[steps == 0 ? 0 : (k * last + steps / 2) / steps].pictured = Up::kZ;
+  for (std::size_t k = 0; k <= steps; ++k) specimens[steps == 0 ? 0 : (k * last + steps / 2) / steps].pictured = Up::kZ;
 }
 
 }  // namespace
@@ -74,8 +67,7 @@ MeasuredSeries measure(const Series& series, const ExperimentContext& context) {
   for (std::size_t i = 0; i < series.members.size(); ++i)
     measured.result.data[i][series.axis.label] = series.members[i].number;
   measured.result.errors = errors(all, results);
-  measured.result.sheets = {
-      sheet(series.name + "-meshes", "The meshes, or some of them, with their R.", all, results)};
+  measured.result.sheets = {sheet(series.name + "-meshes", "The meshes, or some of them, with their R.", all, results)};
   measured.result.plots = {curve(series, measured)};
   return measured;
 }

@@ -87,13 +87,18 @@ Json summarise(const std::vector<Row>& rows, std::size_t search) {
   }
   Json within = Json::array();
   for (const double target : kTargets)
-    within.push_back({{"shortfall", target},
-                      {"share", static_cast<double>(std::ranges::count_if(shortfalls, [target](double s) { return s <= target; })) /
-                                    static_cast<double>(shortfalls.size())}});
-  return {{"search", searches()[search].label}, {"optimizer", searches()[search].optimizer},
-          {"domain", searches()[search].chart.name()}, {"within", within},
-          {"median", median(shortfalls)}, {"worst", worst->shortfall[search]},
-          {"worst_mesh", worst->mesh}, {"median_evaluations", median(evaluations)}};
+    within.push_back(
+        {{"shortfall", target},
+         {"share", static_cast<double>(std::ranges::count_if(shortfalls, [target](double s) { return s <= target; })) /
+                       static_cast<double>(shortfalls.size())}});
+  return {{"search", searches()[search].label},
+          {"optimizer", searches()[search].optimizer},
+          {"domain", searches()[search].chart.name()},
+          {"within", within},
+          {"median", median(shortfalls)},
+          {"worst", worst->shortfall[search]},
+          {"worst_mesh", worst->mesh},
+          {"median_evaluations", median(evaluations)}};
 }
 
 /// Share of the meshes on which a search falls short by more than x.
@@ -118,7 +123,8 @@ Plot distribution(const std::vector<Row>& rows, double gap) {
               .bands = {},
               .curves = {}};
   for (int s = 0; s < std::ssize(sorted); ++s)
-    panel.curves.push_back({.x = s + 2, .y = 1, .label = searches()[static_cast<std::size_t>(s)].label, .style = {.colour = s}});
+    panel.curves.push_back(
+        {.x = s + 2, .y = 1, .label = searches()[static_cast<std::size_t>(s)].label, .style = {.colour = s}});
   return {"shortfall", "How far below the certified optimum each search ends; the further left, the better.",
           Figure("Falling short of the optimum", csv, {panel})};
 }
@@ -152,12 +158,14 @@ struct Shortfall {
     for (std::size_t s = 0; s < searches().size(); ++s) {
       summary.push_back(summarise(rows, s));
       char text[96];
-      std::snprintf(text, sizeof text, "%s%s within 1e-3 on %.1f %%, worst %.2g", s > 0 ? "; " : "", searches()[s].label.c_str(),
-                    100 * summary.back()["within"][1]["share"].get<double>(), summary.back()["worst"].get<double>());
+      std::snprintf(text, sizeof text, "%s%s within 1e-3 on %.1f %%, worst %.2g", s > 0 ? "; " : "",
+                    searches()[s].label.c_str(), 100 * summary.back()["within"][1]["share"].get<double>(),
+                    summary.back()["worst"].get<double>());
       result.says.append(text);
     }
     for (const Row& row : rows)
-      if (row.error.empty()) each.push_back({{"mesh", row.mesh}, {"optimum", row.optimum}, {"shortfall", row.shortfall}});
+      if (row.error.empty())
+        each.push_back({{"mesh", row.mesh}, {"optimum", row.optimum}, {"shortfall", row.shortfall}});
     result.data = {{"searches", std::move(summary)}, {"meshes", std::move(each)}};
     result.plots = {distribution(rows, gap)};
     return result;

@@ -46,9 +46,8 @@ Specimen specimen(std::string label, const std::string& source) {
 }
 
 void Pose::bind(Parameters& parameters) {
-  parameters.choice(
-      "up", which, {{"auto", Which::kAuto}, {"y", Which::kY}, {"z", Which::kZ}},
-      "the axis that points up in pictures; auto: z for built-in shapes, y for files");
+  parameters.choice("up", which, {{"auto", Which::kAuto}, {"y", Which::kY}, {"z", Which::kZ}},
+                    "the axis that points up in pictures; auto: z for built-in shapes, y for files");
 }
 
 Up Pose::of(const std::string& source) const {
@@ -81,8 +80,7 @@ std::vector<Model> load_models(const ExperimentContext& context, const Defaults&
   return models;
 }
 
-std::vector<Measured> measure_all(const std::vector<Specimen>& specimens,
-                                  const ExperimentContext& context) {
+std::vector<Measured> measure_all(const std::vector<Specimen>& specimens, const ExperimentContext& context) {
   std::vector<Measured> results(specimens.size());
   std::mutex mutex;
   std::size_t done = 0;
@@ -107,8 +105,7 @@ Json to_json(const std::vector<Specimen>& specimens, const std::vector<Measured>
   for (std::size_t i = 0; i < specimens.size(); ++i) {
     const Measured& r = results[i];
     Json row = {{"label", specimens[i].label}, {"origin", specimens[i].origin}};
-    if (!r.error.empty())
-      row["error"] = r.error;
+    if (!r.error.empty()) row["error"] = r.error;
     else
       row.update({{"faces", r.faces},
                   {"directions", r.directions},
@@ -128,17 +125,15 @@ Sheet sheet(std::string name, std::string caption, const std::vector<Specimen>& 
     const Measured& r = results[i];
     const bool known = r.error.empty();
     const auto number = [known](double x) { return known ? x : NAN; };
-    csv.row({specimens[i].label, specimens[i].origin, r.error, r.faces, r.directions,
-             number(r.rectilinearity), number(r.lower), number(r.upper)});
-    if (specimens[i].pictured && known)
-      cells.push_back({r.picture, specimens[i].label, four_digits(r.rectilinearity)});
+    csv.row({specimens[i].label, specimens[i].origin, r.error, r.faces, r.directions, number(r.rectilinearity),
+             number(r.lower), number(r.upper)});
+    if (specimens[i].pictured && known) cells.push_back({r.picture, specimens[i].label, four_digits(r.rectilinearity)});
   }
   ContactSheet drawn = contact_sheet(cells, columns);
   return {std::move(name), std::move(caption), std::move(csv), std::move(drawn.svg), drawn.width};
 }
 
-std::vector<std::string> errors(const std::vector<Specimen>& specimens,
-                                const std::vector<Measured>& results) {
+std::vector<std::string> errors(const std::vector<Specimen>& specimens, const std::vector<Measured>& results) {
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < specimens.size(); ++i) {
     const std::string &error = results[i].error, &origin = specimens[i].origin;

@@ -64,8 +64,7 @@ struct Measured {
 };
 
 /// R of each, certified, several at a time; the same for any number of threads. Throws Stopped.
-std::vector<Measured> measure_all(const std::vector<Specimen>& specimens,
-                                  const ExperimentContext& context);
+std::vector<Measured> measure_all(const std::vector<Specimen>& specimens, const ExperimentContext& context);
 
 /// One object for each specimen, with the error instead of numbers where there is one.
 Json to_json(const std::vector<Specimen>& specimens, const std::vector<Measured>& results);
@@ -75,8 +74,7 @@ Sheet sheet(std::string name, std::string caption, const std::vector<Specimen>& 
             const std::vector<Measured>& results, int columns = 4);
 
 /// The errors among the results, each with its specimen's name.
-std::vector<std::string> errors(const std::vector<Specimen>& specimens,
-                                const std::vector<Measured>& results);
+std::vector<std::string> errors(const std::vector<Specimen>& specimens, const std::vector<Measured>& results);
 
 /// R as the paper prints it, with four digits.
 std::string four_digits(double rectilinearity);

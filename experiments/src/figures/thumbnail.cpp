@@ -33,8 +33,7 @@ Eigen::Matrix3d view(Up up) {
 class Raster {
  public:
   Raster(const Mesh& mesh, Up up)
-      : face_(kSize * kSize, kBackground),
-        depth_(kSize * kSize, -std::numeric_limits<double>::infinity()) {
+      : face_(kSize * kSize, kBackground), depth_(kSize * kSize, -std::numeric_limits<double>::infinity()) {
     const std::vector<Vector3> points = placed(mesh, view(up));
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
       const Triangle& t = mesh.triangles[i];
@@ -53,9 +52,7 @@ class Raster {
   }
 
  private:
-  static std::size_t at(int x, int y) {
-    return static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x);
-  }
+  static std::size_t at(int x, int y) { return static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x); }
 
   /// Vertices in samples, centred and as large as fits. y goes down.
   static std::vector<Vector3> placed(const Mesh& mesh, const Eigen::Matrix3d& view) {
@@ -85,9 +82,8 @@ class Raster {
     if (normals_.back().z() < 0) normals_.back() *= -1;
     if (normal.z() == 0) return;  // seen edge on
     const auto range = [](double p, double q, double r) {
-      return std::array{
-          std::max(0, static_cast<int>(std::ceil(std::min({p, q, r}) - 0.5))),
-          std::min(kSize - 1, static_cast<int>(std::floor(std::max({p, q, r}) - 0.5)))};
+      return std::array{std::max(0, static_cast<int>(std::ceil(std::min({p, q, r}) - 0.5))),
+                        std::min(kSize - 1, static_cast<int>(std::floor(std::max({p, q, r}) - 0.5)))};
     };
     const auto [left, right] = range(a.x(), b.x(), c.x());
     const auto [top, bottom] = range(a.y(), b.y(), c.y());
@@ -97,8 +93,7 @@ class Raster {
     for (int y = top; y <= bottom; ++y)
       for (int x = left; x <= right; ++x) {
         const double u = x + 0.5, v = y + 0.5;
-        const double wa = side(b, c, u, v) / normal.z(), wb = side(c, a, u, v) / normal.z(),
-                     wc = 1 - wa - wb;
+        const double wa = side(b, c, u, v) / normal.z(), wb = side(c, a, u, v) / normal.z(), wc = 1 - wa - wb;
         if (wa < 0 || wb < 0 || wc < 0) continue;
         const double z = wa * a.z() + wb * b.z() + wc * c.z();
         if (z <= depth_[at(x, y)]) continue;
@@ -115,10 +110,8 @@ class Raster {
     if (f == g) return false;
     if (f == kBackground || g == kBackground) return true;
     const double steepest = std::min(normals_[f].z(), normals_[g].z());
-    const double step =
-        3 + 2 / std::max(0.05, steepest);  // a surface that is seen from the side is deep
-    return normals_[f].dot(normals_[g]) < 0.77 ||
-           std::abs(depth_[at(x, y)] - depth_[at(x2, y2)]) > step * 3;
+    const double step = 3 + 2 / std::max(0.05, steepest);  // a surface that is seen from the side is deep
+    return normals_[f].dot(normals_[g]) < 0.77 || std::abs(depth_[at(x, y)] - depth_[at(x2, y2)]) > step * 3;
   }
 
   std::vector<std::uint32_t> face_;

@@ -32,8 +32,7 @@ PerCut<double> Bounder::raise(Cell& cell, double enough) const {
   return strategies.weight;
 }
 
-void Bounder::describe(Cell& cell, const Corners& corners, const Strategies& strategies,
-                       const Array8& values) const {
+void Bounder::describe(Cell& cell, const Corners& corners, const Strategies& strategies, const Array8& values) const {
   for (int i = 0; i < 3; ++i) cell.low_point[i] = (strategies.corner * corners.rho[i]).sum();
   const Rotation low = rotation_from_rodrigues(cell.low_point);
   cell.model = 0;
@@ -51,8 +50,7 @@ void Bounder::describe(Cell& cell, const Corners& corners, const Strategies& str
   static const std::array<Array8, 3> signs = {corner_signs(0), corner_signs(1), corner_signs(2)};
   const Eigen::Vector3d e = cell.box.half_edges();
   for (int i = 0; i < 3; ++i)
-    cell.spread[i] = static_cast<float>(std::abs((signs[i] * values).sum()) / 8 +
-                                        4.0 / 3 * cell.bound * e[i] * e[i]);
+    cell.spread[i] = static_cast<float>(std::abs((signs[i] * values).sum()) / 8 + 4.0 / 3 * cell.bound * e[i] * e[i]);
 
   for (int k = 0; k < 3; ++k) {
     Cell::Bundle& bundle = cell.bundles[k];

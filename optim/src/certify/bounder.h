@@ -23,8 +23,7 @@ class Bounder {
   }
 
  private:
-  void describe(Cell& cell, const Corners& corners, const Strategies& strategies,
-                const Array8& values) const;
+  void describe(Cell& cell, const Corners& corners, const Strategies& strategies, const Array8& values) const;
 
   const CutTable& table_;
 };

@@ -23,9 +23,7 @@ struct Box {
   Eigen::Vector3d lower, upper;
 
   /// The cube about the cubic fundamental zone: it holds every frame (see zone_chart()).
-  static Box zone() {
-    return {Eigen::Vector3d::Constant(-kZoneHalfEdge), Eigen::Vector3d::Constant(kZoneHalfEdge)};
-  }
+  static Box zone() { return {Eigen::Vector3d::Constant(-kZoneHalfEdge), Eigen::Vector3d::Constant(kZoneHalfEdge)}; }
 
   Eigen::Vector3d centre() const { return 0.5 * (lower + upper); }
   Eigen::Vector3d half_edges() const { return 0.5 * (upper - lower); }
@@ -39,9 +37,7 @@ struct Box {
   }
 
   /// Might it hold a point of the zone, |rho|_1 <= 1? The margin is for the rounding of the sum.
-  bool meets_zone() const {
-    return lower.cwiseMax(-upper).cwiseMax(0).sum() <= 1 + 1e-15;
-  }
+  bool meets_zone() const { return lower.cwiseMax(-upper).cwiseMax(0).sum() <= 1 + 1e-15; }
 
   Array8 coordinate(int axis) const {
     const double centre = 0.5 * (lower[axis] + upper[axis]);

@@ -11,12 +11,12 @@ namespace rectilin::bounding {
 namespace {
 
 /// Angle (radians) by which the rotations asked for are off the model's minima, at most, and in units of the gap. These
-/// minima tend to have faces parallel to axes to the last bit, where the signs in a cut are rounding noise; a little off,
-/// they are the same for everyone who recomputes the cut.
+/// minima tend to have faces parallel to axes to the last bit, where the signs in a cut are rounding noise; a little
+/// off, they are the same for everyone who recomputes the cut.
 constexpr double kJitter = 1e-8, kJitterPerGap = 0.01;
 
 constexpr std::size_t kOpenPerRound = 16, kGrowth = 16;  // a round takes a 16th of the open cells, up to 16 batches
-constexpr int kRetries = 3;                  // times new cuts may be tried before a cell is halved
+constexpr int kRetries = 3;                              // times new cuts may be tried before a cell is halved
 constexpr std::uint64_t kCellsBeforeBalls = 100;
 constexpr std::uint64_t kGeneratorsPerCell = 100;  // looked at for a ball in about the time of a cell, or less
 
@@ -73,7 +73,8 @@ CertifyResult BranchAndBound::run() {
 }
 
 bool BranchAndBound::stopped() const {
-  return evaluator_.exhausted() || (options_.cells > 0 && result_.cells >= static_cast<std::uint64_t>(options_.cells)) ||
+  return evaluator_.exhausted() ||
+         (options_.cells > 0 && result_.cells >= static_cast<std::uint64_t>(options_.cells)) ||
          (options_.seconds > 0 && evaluator_.seconds() >= options_.seconds);
 }
 
@@ -137,9 +138,11 @@ void BranchAndBound::improve_incumbent(std::span<const Rotation> rotations, std:
 void BranchAndBound::update_cutoff() {
   if (!evaluator_.has_incumbent()) return;
   // From the incumbent's value as it may be without rounding: the interval is narrow enough when stated outwards.
-  // But no bound computed at the incumbent itself is higher than its value less rounding: to ask for more would never end.
+  // But no bound computed at the incumbent itself is higher than its value less rounding: to ask for more would never
+  // end.
   const double value = evaluator_.incumbent().value;
-  cutoff_ = std::min(cutoff_value(evaluator_.objective(), value + 3 * facts_.error, options_.gap), value - 3 * allowance_);
+  cutoff_ =
+      std::min(cutoff_value(evaluator_.objective(), value + 3 * facts_.error, options_.gap), value - 3 * allowance_);
   enough_ = cutoff_ + allowance_;
   balls_are_current_ = false;
 }
@@ -295,7 +298,8 @@ void BranchAndBound::report() {
   result_.lower = std::max(result_.lower, lower);
   if (!news) return;
   evaluator_.raise_lower_bound(result_.lower);
-  result_.trajectory.push_back({result_.cells, evaluator_.costs().evaluations(), evaluator_.seconds(), value, result_.lower});
+  result_.trajectory.push_back(
+      {result_.cells, evaluator_.costs().evaluations(), evaluator_.seconds(), value, result_.lower});
 }
 
 }  // namespace rectilin::bounding

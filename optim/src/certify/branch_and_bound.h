@@ -85,8 +85,8 @@ class BranchAndBound {
   bool flatness_is_known_ = false;
   Random jitter_{1};
 
-  double cutoff_ = std::numeric_limits<double>::infinity();     // certified this high, the gap is closed
-  double enough_ = std::numeric_limits<double>::infinity();     // cutoff and allowance: cells are done here
+  double cutoff_ = std::numeric_limits<double>::infinity();         // certified this high, the gap is closed
+  double enough_ = std::numeric_limits<double>::infinity();         // cutoff and allowance: cells are done here
   double least_settled_ = std::numeric_limits<double>::infinity();  // least bound of a cell that was done
   CertifyResult result_;
 };

@@ -15,9 +15,7 @@ class CellHeap {
   std::size_t size() const { return heap_.size(); }
   std::size_t largest() const { return cells_.size(); }
 
-  double least_bound() const {
-    return heap_.empty() ? std::numeric_limits<double>::infinity() : heap_.front().bound;
-  }
+  double least_bound() const { return heap_.empty() ? std::numeric_limits<double>::infinity() : heap_.front().bound; }
 
   void push(const Cell& cell) {
     std::uint32_t at = static_cast<std::uint32_t>(cells_.size());

@@ -58,8 +58,7 @@ Incumbent descend(Evaluator& evaluator, const Rotation& start, const Cut& cut, i
     Eigen::Vector3d turn;
     for (int i = 0; i < 3; ++i) turn[i] = radius * (signs[i] * best.corner).sum();
     // The axes r turn to exp(turn) r, in the mesh's coordinates; the quaternion keeps the frame orthonormal.
-    const Rotation next =
-        Rotation::from_quaternion((at * rotation_from_vector(turn).inverse()).quaternion());
+    const Rotation next = Rotation::from_quaternion((at * rotation_from_vector(turn).inverse()).quaternion());
     const Cut there = evaluator.cut(next);
     model.add(there, best.weight);
     const double length = turn.norm();

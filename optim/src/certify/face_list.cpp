@@ -64,8 +64,7 @@ Eigen::Vector3d FaceList::split(const Triangle3& corners, FaceList& active) cons
     }
   }
   active.size_ = count;
-  for (std::size_t i = count; i < (count + kLanes - 1) / kLanes * kLanes; ++i)
-    out_x[i] = out_y[i] = out_z[i] = 0;
+  for (std::size_t i = count; i < (count + kLanes - 1) / kLanes * kLanes; ++i) out_x[i] = out_y[i] = out_z[i] = 0;
   Eigen::Vector3d settled = Eigen::Vector3d::Zero();
   for (int k = 0; k < 3; ++k)
     for (std::size_t l = 0; l < kLanes; ++l) settled[k] += sum[k][l];

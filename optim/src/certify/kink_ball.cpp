@@ -70,8 +70,7 @@ std::vector<Summand> merge_parallel(const Rotation& frame, const std::vector<Fre
     }
   }
   // Any subset is a valid choice; the signs of the rest stay zero.
-  std::ranges::stable_sort(summands, std::ranges::greater(),
-                           [](const Summand& s) { return s.moment.squaredNorm(); });
+  std::ranges::stable_sort(summands, std::ranges::greater(), [](const Summand& s) { return s.moment.squaredNorm(); });
   if (summands.size() > kMostSummands) summands.resize(kMostSummands);
   return summands;
 }
@@ -96,15 +95,15 @@ double least_support(const Eigen::Vector3d& w, const std::vector<Summand>& summa
 }
 
 Eigen::Vector3d symmetric_eigenvalues(const Eigen::Matrix3d& m) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(0.5 * (m + m.transpose()), Eigen::EigenvaluesOnly).eigenvalues();
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(0.5 * (m + m.transpose()), Eigen::EigenvaluesOnly)
+      .eigenvalues();
 }
 
 /// The angle for one choice of free faces, the first `count`.
 double angle_with(const Split& split, const Rotation& frame, std::size_t count, double value) {
   const double rounding = kBallRounding * split.total;
   std::array<Extended, 3> g = split.settled;
-  for (std::size_t i = count; i < split.free.size(); ++i)
-    g[split.free[i].axis] += split.free[i].v.cast<long double>();
+  for (std::size_t i = count; i < split.free.size(); ++i) g[split.free[i].axis] += split.free[i].v.cast<long double>();
   Eigen::Matrix3d form = Eigen::Matrix3d::Zero();  // B with the free signs zero
   Eigen::Vector3d w = Eigen::Vector3d::Zero();
   for (int k = 0; k < 3; ++k) {

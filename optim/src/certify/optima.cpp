@@ -13,12 +13,12 @@
 namespace rectilin::bounding {
 namespace {
 
-constexpr double kDescendBelow = 0.01;  // half-edge of cells from which local searches start
-constexpr double kFinest = 1e-4;        // half-edge of cells that are not halved any more
+constexpr double kDescendBelow = 0.01;    // half-edge of cells from which local searches start
+constexpr double kFinest = 1e-4;          // half-edge of cells that are not halved any more
 constexpr std::size_t kMostCells = 3000;  // beyond so many cells they stay as coarse as they are
 constexpr double kLeastBall = 1e-5;       // radians
 constexpr int kDescent = 40;
-constexpr double kStretched = 0.02;       // radians; a longer component is a continuum
+constexpr double kStretched = 0.02;  // radians; a longer component is a continuum
 
 /// Cells of equal size, halved together until they are excluded, in the ball of a known minimum, or small.
 class Search {

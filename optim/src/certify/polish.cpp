@@ -105,8 +105,7 @@ std::vector<ActiveFace> polish(Evaluator& evaluator) {
   }
   const Rotation& end = evaluator.incumbent().rotation;
   std::vector<ActiveFace> active;
-  for (const Condition& c : independent(faces.near_parallel(end, kParallelInTheEnd), end))
-    active.push_back(c.face);
+  for (const Condition& c : independent(faces.near_parallel(end, kParallelInTheEnd), end)) active.push_back(c.face);
   return active;
 }
 

@@ -9,8 +9,7 @@ std::uint32_t ProofTree::halve(std::uint32_t node, int axis) {
   return first;
 }
 
-void ProofTree::set_leaf(std::uint32_t node, const std::array<Cell::Bundle, 3>& bundles,
-                         const PerCut<double>& weight) {
+void ProofTree::set_leaf(std::uint32_t node, const std::array<Cell::Bundle, 3>& bundles, const PerCut<double>& weight) {
   nodes_[node] = {'l', static_cast<std::uint32_t>(leaves_.size())};
   Certificate::Leaf& leaf = leaves_.emplace_back();
   for (int k = 0; k < 3; ++k)

@@ -10,8 +10,8 @@
 namespace rectilin::bounding {
 namespace {
 
-constexpr int kMaxDepth = 14;         // of the search inside a patch of the finest level
-constexpr int kTaskLevel = 3;         // patches of this level are built in tasks of their own
+constexpr int kMaxDepth = 14;          // of the search inside a patch of the finest level
+constexpr int kTaskLevel = 3;          // patches of this level are built in tasks of their own
 constexpr double kRounding = 0x1p-44;  // of everything but the sums over faces, relative to |l| + S
 
 Eigen::Vector3d centre_of(const Triangle3& p) { return (p[0] + p[1] + p[2]).normalized(); }
@@ -106,7 +106,8 @@ class SphereMinorants::Builder {
       pairs[i] = faces.size() + build(active, settled + more, parts[i], level + 1, 4 * index + i);
     };
     if (level < kTaskLevel) tbb::parallel_for(std::size_t{0}, std::size_t{4}, build_part);
-    else for (std::size_t i = 0; i < 4; ++i) build_part(i);
+    else
+      for (std::size_t i = 0; i < 4; ++i) build_part(i);
 
     patch.minorant.offset = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 4; ++i) {
@@ -203,7 +204,8 @@ std::optional<Minorant> SphereMinorants::on_cap(const Eigen::Vector3d& u, double
   double steepest = 0;
   for (int i = 0; i < hit_count; ++i) {
     const Patch& patch = *hits[i].patch;
-    const double change = least_linear(patch.minorant.slope - hits[i].side * result.slope, patch.corners, patch.distance);
+    const double change =
+        least_linear(patch.minorant.slope - hits[i].side * result.slope, patch.corners, patch.distance);
     result.offset = std::min(result.offset, patch.minorant.offset + change);
     steepest = std::max(steepest, patch.minorant.slope.norm());
   }

@@ -40,7 +40,7 @@ std::string claims_markdown();
 struct Finding {
   /// Room between what was seen and what the claim allows; negative if it is violated, by so much.
   double margin = std::numeric_limits<double>::infinity();
-  std::string where = {};  ///< the mesh: a source for load_mesh(), or words if `mesh` is set
+  std::string where = {};                 ///< the mesh: a source for load_mesh(), or words if `mesh` is set
   std::shared_ptr<const Mesh> mesh = {};  ///< the mesh itself if no source names it
   Rotation rotation = {};
   std::string note = {};  ///< figures worth reading, one line; may be empty
@@ -57,7 +57,7 @@ std::string_view to_string(ClaimVerdict verdict);
 struct ClaimResult {
   const Claim* claim = nullptr;
   ClaimVerdict verdict = ClaimVerdict::kUntested;
-  Finding decisive;  ///< the finding with the margin the verdict rests on: as a rule the worst
+  Finding decisive;        ///< the finding with the margin the verdict rests on: as a rule the worst
   std::size_t tested = 0;  ///< findings
   std::size_t failed = 0;  ///< of them, beyond the tolerance
 };
@@ -83,8 +83,7 @@ struct Validation {
 /// a claim is about certain shapes, on those. The result depends on sources, claims and seed, not
 /// on threads; the margin of linear-cost alone is a time. Throws ParameterError for an unknown
 /// claim, MeshError for a folder without meshes.
-Validation validate(const std::vector<std::string>& sources,
-                    const ValidationSettings& settings = {});
+Validation validate(const std::vector<std::string>& sources, const ValidationSettings& settings = {});
 
 /// The built-in shapes that stand in where no mesh is given.
 const std::vector<std::string>& validation_shapes();

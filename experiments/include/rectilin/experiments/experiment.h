@@ -22,8 +22,7 @@ struct ExperimentContext {
   double gap = 1e-6;       ///< width to which R is certified
   std::stop_token stop = {};
   /// Called from any thread, one at a time, with what is done of how much, and what goes on.
-  std::function<void(std::size_t done, std::size_t total, const std::string& text)> on_progress =
-      {};
+  std::function<void(std::size_t done, std::size_t total, const std::string& text)> on_progress = {};
 };
 
 /// A picture that is made at once: NAME.svg, with NAME.csv.
@@ -78,10 +77,8 @@ struct ExperimentOutcome {
   std::vector<std::string> mesh_errors;
   std::vector<std::string> picture_troubles;
 };
-ExperimentOutcome run_experiment(const Experiment& experiment, const Json& settings,
-                                 const ExperimentContext& context,
-                                 const std::filesystem::path& folder,
-                                 const std::string& command_line);
+ExperimentOutcome run_experiment(const Experiment& experiment, const Json& settings, const ExperimentContext& context,
+                                 const std::filesystem::path& folder, const std::string& command_line);
 
 /// Writes index.html: all experiments whose files the folder holds. It opens from disk and needs no
 /// network.

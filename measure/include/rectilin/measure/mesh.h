@@ -27,14 +27,14 @@ struct Mesh {
 
 /// What a reader found, repaired or dropped on the way from a file to a Mesh. All are counts.
 struct MeshReport {
-  std::size_t vertices = 0;      ///< vertex records in the file (STL: three for each triangle)
-  std::size_t polygons = 0;      ///< face records in the file, strips counted by triangle
-  std::size_t triangulated = 0;  ///< polygons of more than three corners, split into triangles
-  std::size_t nonfinite_vertices = 0;  ///< vertices with a NaN or infinite coordinate, removed
-  std::size_t dropped_nonfinite = 0;   ///< polygons dropped because they use such a vertex
-  std::size_t dropped_short = 0;       ///< face records of fewer than three corners, dropped
-  std::size_t degenerate = 0;  ///< triangles of zero area, kept (they weigh nothing): a repeated
-                               ///< index, or a cross product that vanishes at the mesh's scale
+  std::size_t vertices = 0;               ///< vertex records in the file (STL: three for each triangle)
+  std::size_t polygons = 0;               ///< face records in the file, strips counted by triangle
+  std::size_t triangulated = 0;           ///< polygons of more than three corners, split into triangles
+  std::size_t nonfinite_vertices = 0;     ///< vertices with a NaN or infinite coordinate, removed
+  std::size_t dropped_nonfinite = 0;      ///< polygons dropped because they use such a vertex
+  std::size_t dropped_short = 0;          ///< face records of fewer than three corners, dropped
+  std::size_t degenerate = 0;             ///< triangles of zero area, kept (they weigh nothing): a repeated
+                                          ///< index, or a cross product that vanishes at the mesh's scale
   std::size_t duplicate_vertices = 0;     ///< vertices at a position that an earlier one has, kept;
                                           ///< none in STL, whose repeated corners are welded
   std::size_t unreferenced_vertices = 0;  ///< vertices that no triangle uses, kept

@@ -46,7 +46,6 @@ struct WriteOptions {
 /// PLY carry doubles that read back bit for bit; binary STL holds single precision, as the format
 /// demands. Throws MeshError when the file cannot be written, the extension is unknown, or a
 /// coordinate or count is beyond what the format holds. Thread safe.
-void write_mesh(const std::filesystem::path& file, const Mesh& mesh,
-                const WriteOptions& options = {});
+void write_mesh(const std::filesystem::path& file, const Mesh& mesh, const WriteOptions& options = {});
 
 }  // namespace rectilin

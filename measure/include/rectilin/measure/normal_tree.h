@@ -33,8 +33,8 @@ struct NormalNodes;
 class NormalTree {
  public:
   /// `vectors` must outlive this object, unchanged; it keeps a copy, too, in an order of its own and
-  /// shortened to 16 bytes each, for locality. O(N log N), in parallel. Uses the instruction set chosen at this moment (see
-  /// ScopedFlatSumTarget).
+  /// shortened to 16 bytes each, for locality. O(N log N), in parallel. Uses the instruction set chosen at this moment
+  /// (see ScopedFlatSumTarget).
   explicit NormalTree(const AreaVectors& vectors);
 
   /// h[k] = sum_i |u[k] . v_i|, with an error of at most kErrorBound |u| S.
@@ -65,8 +65,8 @@ class NormalTree {
 
  private:
   template <class Result, class Walk, class Flat>
-  void evaluate(std::span<const Vector3> u, std::span<Result> results, double resolution,
-                const Walk& walk, const Flat& flat) const;
+  void evaluate(std::span<const Vector3> u, std::span<Result> results, double resolution, const Walk& walk,
+                const Flat& flat) const;
 
   FlatSum flat_;
   std::size_t bytes_ = 0;                 // size of storage_

@@ -27,8 +27,7 @@ enum class Evaluation {
 /// that of the flat sum; the tree, and the flat sum inside it, are in double precision.
 class ProjectedArea final : public Objective {
  public:
-  explicit ProjectedArea(AreaVectors vectors, std::string name = "mesh",
-                         Evaluation evaluation = Evaluation::kAuto,
+  explicit ProjectedArea(AreaVectors vectors, std::string name = "mesh", Evaluation evaluation = Evaluation::kAuto,
                          Precision precision = Precision::kDouble);
   ProjectedArea(const ProjectedArea&) = delete;  // the kernel refers to the vectors in place
   ProjectedArea& operator=(const ProjectedArea&) = delete;

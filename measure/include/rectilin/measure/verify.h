@@ -10,11 +10,11 @@ namespace rectilin {
 
 struct Verdict {
   bool accepted = false;
-  std::string reason;         ///< one line, if refused
-  double lower = 0;           ///< proved: R(M) >= lower, that of the certificate's rotation
-  double upper = 0;           ///< proved: R(M) <= upper
-  std::size_t leaves = 0;     ///< parts of the zone that were checked
-  std::size_t directions = 0; ///< sums over all faces that were recomputed
+  std::string reason;          ///< one line, if refused
+  double lower = 0;            ///< proved: R(M) >= lower, that of the certificate's rotation
+  double upper = 0;            ///< proved: R(M) <= upper
+  std::size_t leaves = 0;      ///< parts of the zone that were checked
+  std::size_t directions = 0;  ///< sums over all faces that were recomputed
 };
 
 /// Does the text (JSON, see papers/certificate.md) prove an interval for R of this mesh? Shares nothing with the search

@@ -10,19 +10,20 @@ namespace rectilin {
 
 /// Best first, over boxes of Rodrigues vectors (papers/certificate.md has the mathematics). A box is bounded by the
 /// best mixture of cuts known to it; where the cuts are still too weak a new one is taken at the minimum of their
-/// upper envelope (Kelley 1960), and where the box is too large it is halved. Whatever ends the run, the evaluator's lower
-/// bound is a proved one.
+/// upper envelope (Kelley 1960), and where the box is too large it is halved. Whatever ends the run, the evaluator's
+/// lower bound is a proved one.
 struct CertifyOptions {
-  double gap = 1e-6;       ///< stop when merit(lower bound) - merit(incumbent) is this small, or as small as rounding allows
+  double gap = 1e-6;  ///< stop when merit(lower bound) - merit(incumbent) is this small, or as small as rounding allows
   int cells = 20'000'000;  ///< stop after so many boxes; 0: no limit
   double seconds = 0;      ///< stop after so much time; 0: no limit
-  int batch = 32;          ///< boxes a round at least, sixteen times as many at most; the result depends on it, but not on the number of threads
-  int bundle = 6;          ///< cuts kept on each axis of a box
-  int descent = 15;        ///< steps of the local search from every better rotation that turns up
-  bool balls = true;       ///< use certified balls round the incumbent (needs generators)
-  bool minorants = true;   ///< use minorants of h on the sphere when boxes get too many (needs generators)
-  bool polish = true;      ///< in the end solve for the frame at which faces are parallel to axes (needs generators)
-  bool optima = false;     ///< after closing the gap, find all frames within it
+  int batch = 32;  ///< boxes a round at least, sixteen times as many at most; the result depends on it, but not on the
+                   ///< number of threads
+  int bundle = 6;  ///< cuts kept on each axis of a box
+  int descent = 15;       ///< steps of the local search from every better rotation that turns up
+  bool balls = true;      ///< use certified balls round the incumbent (needs generators)
+  bool minorants = true;  ///< use minorants of h on the sphere when boxes get too many (needs generators)
+  bool polish = true;     ///< in the end solve for the frame at which faces are parallel to axes (needs generators)
+  bool optima = false;    ///< after closing the gap, find all frames within it
 
   void bind(Parameters& table);
 };
@@ -56,16 +57,16 @@ struct CertifyResult {
   };
 
   Incumbent incumbent;
-  double lower = 0;               ///< no rotation has a smaller value
-  bool closed = false;            ///< the gap asked for was reached, or the narrowest that rounding allows
-  std::uint64_t cells = 0;        ///< boxes bounded
-  std::uint64_t leaves = 0;       ///< boxes that needed no halving
-  std::size_t largest_heap = 0;   ///< boxes open at once, at most
-  double ball_angle = 0;          ///< radians round the incumbent that needed no boxes
-  int minorant_levels = 0;        ///< of the subdivided sphere; 0: not built
-  std::vector<Step> trajectory;   ///< one step for each change of value or lower
-  std::vector<ActiveFace> active; ///< where polishing ended, three independent ones if there are
-  std::vector<Optimum> optima;    ///< if asked for, best first
+  double lower = 0;                ///< no rotation has a smaller value
+  bool closed = false;             ///< the gap asked for was reached, or the narrowest that rounding allows
+  std::uint64_t cells = 0;         ///< boxes bounded
+  std::uint64_t leaves = 0;        ///< boxes that needed no halving
+  std::size_t largest_heap = 0;    ///< boxes open at once, at most
+  double ball_angle = 0;           ///< radians round the incumbent that needed no boxes
+  int minorant_levels = 0;         ///< of the subdivided sphere; 0: not built
+  std::vector<Step> trajectory;    ///< one step for each change of value or lower
+  std::vector<ActiveFace> active;  ///< where polishing ended, three independent ones if there are
+  std::vector<Optimum> optima;     ///< if asked for, best first
 };
 
 /// Throws ParameterError if the objective has no cuts. With `certificate` the run records a proof that others can

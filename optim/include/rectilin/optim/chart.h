@@ -31,9 +31,7 @@ class Chart {
   virtual bool covers() const = 0;
 
   /// The rotation at a point of the unit cube, stretched onto the box.
-  Rotation from_unit(const Eigen::Vector3d& t) const {
-    return rotation(lower() + t.cwiseProduct(upper() - lower()));
-  }
+  Rotation from_unit(const Eigen::Vector3d& t) const { return rotation(lower() + t.cwiseProduct(upper() - lower())); }
 };
 
 /// The paper's search range [0, pi/2]^3 in the angles of eqs. (35)-(37), its eq. (28). It reaches only

@@ -20,10 +20,10 @@ struct GeneticOptions {
   double crossover = 0.8;   ///< p_c, per pair of parents
   double mutation = 0.005;  ///< p_m, per bit
   Selection selection = Selection::kRoulette;
-  int tournament = 2;       ///< contestants per tournament, if that is the selection
-  int points = 1;           ///< crossover points in each chromosome
+  int tournament = 2;  ///< contestants per tournament, if that is the selection
+  int points = 1;      ///< crossover points in each chromosome
   Encoding encoding = Encoding::kBinary;
-  int elitism = 1;          ///< best individuals that go on unchanged
+  int elitism = 1;  ///< best individuals that go on unchanged
 
   void bind(Parameters& table);
 };

@@ -13,8 +13,7 @@ class LocalSearch {
 
   /// Searches from `start` until it has converged (which is no evidence of a minimum) or the budget
   /// is spent.
-  virtual void improve(const Rotation& start, Evaluator& evaluator, const Chart& chart,
-                       Random& random) const = 0;
+  virtual void improve(const Rotation& start, Evaluator& evaluator, const Chart& chart, Random& random) const = 0;
 };
 
 /// Where a local method starts if nobody says: the evaluator's incumbent or, if there is none, a
@@ -24,8 +23,8 @@ Rotation start_of(const Evaluator& evaluator, Random& random);
 /// Runs `local` from `starts` uniformly random rotations, or until the budget is spent if `starts`
 /// is 0 (or 10,000 evaluations, if the budget has no limit). With `from_incumbent` the first start
 /// is start_of() instead.
-void improve_from_starts(const LocalSearch& local, int starts, bool from_incumbent,
-                         Evaluator& evaluator, const Chart& chart, Random& random);
+void improve_from_starts(const LocalSearch& local, int starts, bool from_incumbent, Evaluator& evaluator,
+                         const Chart& chart, Random& random);
 
 /// Base of a local optimizer: write improve(), and run() follows.
 template <class Options>

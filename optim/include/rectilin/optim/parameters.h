@@ -46,8 +46,7 @@ class Parameters {
   Parameters& flag(std::string name, bool& target, std::string help);
 
   /// Three numbers, see read_vector3().
-  Parameters& vector3(std::string name, std::array<double, 3>& target, double lower, double upper,
-                      std::string help);
+  Parameters& vector3(std::string name, std::array<double, 3>& target, double lower, double upper, std::string help);
 
   /// Any other kind of value, `accepts` in words; `assign` returns false if a value is not acceptable.
   Parameters& custom(std::string name, std::string accepts, std::function<bool(const Json&)> assign,
@@ -55,13 +54,12 @@ class Parameters {
 
   /// One of a few words, each standing for a value of an enumeration.
   template <class Enum>
-  Parameters& choice(std::string name, Enum& target,
-                     std::vector<std::pair<std::string, Enum>> words, std::string help) {
+  Parameters& choice(std::string name, Enum& target, std::vector<std::pair<std::string, Enum>> words,
+                     std::string help) {
     std::vector<std::string> names;
     for (const auto& [word, value] : words) names.push_back(word);
     return add_choice(
-        std::move(name), std::move(names),
-        [&target, words](std::size_t i) { target = words[i].second; },
+        std::move(name), std::move(names), [&target, words](std::size_t i) { target = words[i].second; },
         [&target, words] {
           std::size_t i = 0;
           while (i + 1 < words.size() && words[i].second != target) ++i;
@@ -90,9 +88,8 @@ class Parameters {
     std::function<bool(const Json&)> assign;  ///< false if the value is not acceptable
     std::function<Json()> read;
   };
-  Parameters& add_choice(std::string name, std::vector<std::string> words,
-                         std::function<void(std::size_t)> assign, std::function<std::size_t()> read,
-                         std::string help);
+  Parameters& add_choice(std::string name, std::vector<std::string> words, std::function<void(std::size_t)> assign,
+                         std::function<std::size_t()> read, std::string help);
   std::vector<Entry> entries_;
 };
 

@@ -31,13 +31,11 @@ class Registry {
   template <class T>
   Registry& add(std::string help) {
     using Options = typename T::Options;
-    return add(T::kName, std::move(help), Options(),
-               [](Options options, [[maybe_unused]] const Registry& registry) {
-                 if constexpr (std::is_constructible_v<T, Options, const Registry&>)
-                   return std::make_unique<T>(std::move(options), registry);
-                 else
-                   return std::make_unique<T>(std::move(options));
-               });
+    return add(T::kName, std::move(help), Options(), [](Options options, [[maybe_unused]] const Registry& registry) {
+      if constexpr (std::is_constructible_v<T, Options, const Registry&>)
+        return std::make_unique<T>(std::move(options), registry);
+      else return std::make_unique<T>(std::move(options));
+    });
   }
 
   /// Adds one of a family under a name of its own; `construct(options, registry)` makes it from
@@ -47,9 +45,8 @@ class Registry {
     Options shown = defaults;
     Parameters table;
     shown.bind(table);
-    const auto make = [name, defaults, construct](
-                          const Json& settings,
-                          const Registry& registry) -> std::unique_ptr<Optimizer> {
+    const auto make = [name, defaults, construct](const Json& settings,
+                                                  const Registry& registry) -> std::unique_ptr<Optimizer> {
       Options options = defaults;
       Parameters fields;
       options.bind(fields);

@@ -19,9 +19,7 @@ class Rotation {
   static Rotation from_matrix(const Eigen::Matrix3d& m) { return Rotation(m); }
 
   /// q need not be of unit length, but must not be zero.
-  static Rotation from_quaternion(const Eigen::Quaterniond& q) {
-    return Rotation(q.normalized().toRotationMatrix());
-  }
+  static Rotation from_quaternion(const Eigen::Quaterniond& q) { return Rotation(q.normalized().toRotationMatrix()); }
 
   const Eigen::Matrix3d& matrix() const { return matrix_; }
 

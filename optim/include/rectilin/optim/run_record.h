@@ -21,15 +21,15 @@ struct RunRecord {
   std::string chart;
   std::uint64_t seed = 0;
   Outcome outcome = Outcome::kFinished;
-  std::string error;               ///< what a failed run said; its incumbent still stands
-  Incumbent incumbent;             ///< as reduce_to_zone() turns it; value is infinite if nothing was evaluated
-  std::optional<double> lower;     ///< certified: no rotation has a smaller value
-  double merit = 0;                ///< of the incumbent; NaN if there is none
+  std::string error;            ///< what a failed run said; its incumbent still stands
+  Incumbent incumbent;          ///< as reduce_to_zone() turns it; value is infinite if nothing was evaluated
+  std::optional<double> lower;  ///< certified: no rotation has a smaller value
+  double merit = 0;             ///< of the incumbent; NaN if there is none
   Costs costs;
-  double seconds = 0;              ///< wall clock
-  double cpu_seconds = 0;          ///< of the run's thread if it can use only one, else of the whole process
-  int threads = 1;                 ///< most that the run could use
-  std::uint64_t digest = 0;        ///< Evaluator::digest()
+  double seconds = 0;        ///< wall clock
+  double cpu_seconds = 0;    ///< of the run's thread if it can use only one, else of the whole process
+  int threads = 1;           ///< most that the run could use
+  std::uint64_t digest = 0;  ///< Evaluator::digest()
   std::vector<TracePoint> trace;
 };
 
