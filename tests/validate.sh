@@ -1,21 +1,6 @@
 #!/usr/bin/env bash
 # rectilin validate from outside: verdicts, exit statuses, formats, counterexamples.  Usage: validate.sh RECTILIN
-set -uo pipefail
-rectilin=$1
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-
-fail() { echo "FAILED: $*"; cat out err 2>/dev/null; failures=$((failures + 1)); }
-
-# expect STATUS PATTERN COMMAND...: the status, and a pattern somewhere in standard output or error.
-expect() {
-  local status=$1 pattern=$2 got; shift 2
-  "$@" >out 2>err </dev/null; got=$?
-  [ $got -eq "$status" ] && grep -qE -- "$pattern" out err ||
-    fail "$* (status $got, expected $status and /$pattern/)"
-}
+. "$(dirname "$0")/expect.sh"
 
 expect 0 'eq-28' "$rectilin" validate --help
 expect 0 '^theorem-2-1 ' "$rectilin" validate --list
@@ -55,5 +40,4 @@ run() { "$rectilin" validate --json --claims eq-28-turned,theorem-3-4,stable-150
 one=$(run --threads 1)
 [ "$one" = "$(run --threads 3)" ] && [ "$one" != "$(run --seed 2)" ] || fail "threads and seeds"
 
-[ $failures -eq 0 ] && echo "validate: all as expected"
-exit $((failures > 0))
+finish validate
