@@ -165,7 +165,7 @@ Plot band_plot(const Results& results, std::size_t mesh, Cost unit) {
     panel.y.label.clear();
     panel.bands.push_back({1, 3 * e + 2, 3 * e + 4, style[e]});
     for (int other = 0; other < entries; ++other)
-      if (other != e) panel.curves.push_back({1, 3 * other + 3, "", {}, false, true});
+      if (other != e) panel.curves.push_back({.x = 1, .y = 3 * other + 3, .label = "", .style = {}, .faint = true});
     panel.curves.push_back({1, 3 * e + 3, "", style[e]});
   }
   return {convergence_name(results, mesh, unit, "bands"),
