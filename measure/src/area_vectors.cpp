@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "direction_order.h"
+#include "normal_order.h"
 
 namespace rectilin {
 namespace {
@@ -50,6 +51,19 @@ int length_exponent(const Mesh& mesh) {
   return exponent;
 }
 
+/// Makes neighbours along the curve neighbours in the plane. Runs are of fixed length, so that the order does not depend
+/// on the number of threads.
+void arrange_runs(AreaVectors& vectors) {
+  tbb::parallel_for(std::size_t{0}, (vectors.size() + kRun - 1) / kRun, [&](std::size_t part) {
+    const std::size_t begin = part * kRun, end = std::min(begin + kRun, vectors.size());
+    std::vector<Vector3> run;
+    run.reserve(end - begin);
+    for (std::size_t i = begin; i < end; ++i) run.push_back(vectors[i]);
+    arrange(run);
+    for (std::size_t i = begin; i < end; ++i) vectors.set(i, run[i - begin]);
+  });
+}
+
 }  // namespace
 
 double AreaVectors::area() const { return std::ldexp(total, exponent); }
@@ -75,6 +89,7 @@ AreaVectors area_vectors(std::vector<Vector3> vectors) {
     total += sum.length();
   }
   result.total = static_cast<double>(total);
+  arrange_runs(result);
   return result;
 }
 
@@ -101,12 +116,7 @@ AreaVectors area_vectors(const Mesh& mesh) {
 
 AreaVectors rotated(const AreaVectors& vectors, const Rotation& rotation) {
   AreaVectors result = vectors;
-  for (std::size_t i = 0; i < vectors.size(); ++i) {
-    const Vector3 v = rotation.matrix() * vectors[i];
-    result.x[i] = v.x();
-    result.y[i] = v.y();
-    result.z[i] = v.z();
-  }
+  for (std::size_t i = 0; i < vectors.size(); ++i) result.set(i, rotation.matrix() * vectors[i]);
   return result;
 }
 

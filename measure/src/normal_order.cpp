@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "normal_kernels.h"
 
@@ -108,11 +109,22 @@ class Halving {
 
 }  // namespace
 
+void align(std::vector<Vector3>& run) {
+  Vector3 before(0.48, 0.36, 0.8);
+  for (Vector3& v : run) {
+    if (before.dot(v) < 0) v = -v;
+    if (!v.isZero(0)) before = v;
+  }
+}
+
 void arrange(std::vector<Vector3>& run) {
   if (run.size() <= kLeaf) return;
-  const Halving halving(plane_coordinates(run));
-  const std::vector<Vector3> before = run;
-  for (std::size_t i = 0; i < run.size(); ++i) run[i] = before[halving.order()[i]];
+  std::vector<Vector3> aligned = run;
+  align(aligned);
+  const Halving halving(plane_coordinates(aligned));
+  const std::vector<Vector3> before = std::exchange(run, {});
+  run.reserve(before.size());
+  for (const std::uint16_t place : halving.order()) run.push_back(before[place]);
 }
 
 }  // namespace rectilin

@@ -32,19 +32,7 @@ constexpr std::size_t kFewest = 96;
 
 std::size_t ceil_div(std::size_t a, std::size_t b) { return (a + b - 1) / b; }
 
-/// Signs carry no meaning, but vectors that are neighbours up to sign must point the same way for
-/// their sum to stand for them: each is turned to the side of the one before it, the first to that
-/// of an arbitrary axis.
-void align(std::vector<Vector3>& run) {
-  Vector3 before(0.48, 0.36, 0.8);
-  for (Vector3& v : run) {
-    if (before.dot(v) < 0) v = -v;
-    if (!v.isZero(0)) before = v;
-  }
-}
-
-/// Fills all leaves and their sums. Runs are of fixed length, so that order and signs do not depend
-/// on the number of threads.
+/// Fills all leaves and their sums. Runs are of fixed length, so that signs do not depend on the number of threads.
 std::vector<Vector3> fill_leaves(const AreaVectors& vectors, NormalLeaf* leaves, std::size_t count,
                                  std::uint64_t unit) {
   std::vector<Vector3> sums(count, Vector3::Zero());
@@ -52,8 +40,6 @@ std::vector<Vector3> fill_leaves(const AreaVectors& vectors, NormalLeaf* leaves,
     const std::size_t begin = part * kRun, end = std::min(begin + kRun, vectors.size());
     std::vector<Vector3> run;
     for (std::size_t i = begin; i < end; ++i) run.push_back(vectors[i]);
-    align(run);
-    arrange(run);
     align(run);
     run.resize(std::min(kRun, count * kLeaf - begin), Vector3::Zero());
     for (std::size_t i = 0; i < run.size(); ++i) {

@@ -22,13 +22,14 @@ using AlignedDoubles = std::vector<double, tbb::cache_aligned_allocator<double>>
 /// Lengths are relative: they are scaled by a power of two such that the largest coordinate
 /// extent lies in [1/2, 1). Neither R nor any ratio of areas depends on it; `area()` undoes it.
 struct AreaVectors {
-  AlignedDoubles x, y, z;  ///< components, sorted along a space-filling curve of directions, on one hemisphere
+  AlignedDoubles x, y, z;  ///< components, on one hemisphere, near ones side by side (as a normal tree wants them)
   double total = 0;        ///< S, the sum of all faces' areas, in the scaled unit
   int exponent = 0;        ///< true lengths are scaled lengths times 2^exponent
   std::size_t faces = 0;   ///< triangles of positive area that went in
 
   std::size_t size() const { return x.size(); }
   Vector3 operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
+  void set(std::size_t i, const Vector3& v) { x[i] = v.x(), y[i] = v.y(), z[i] = v.z(); }
 
   /// Surface area in the mesh's own unit; infinite or zero if that is out of double's range.
   double area() const;
