@@ -1,16 +1,14 @@
 // rectilin compare: optimizers against each other on meshes, on one budget, and a page that shows it.
-#include <tbb/global_control.h>
-
 #include <cmath>
 #include <iostream>
 #include <memory>
-#include <optional>
 
 #include "commands.h"
 #include "rectilin/experiments/comparison.h"
 #include "rectilin/experiments/report.h"
 #include "rectilin/measure/source.h"
 #include "terminal.h"
+#include "threads.h"
 
 namespace rectilin::app {
 namespace {
@@ -50,9 +48,7 @@ int compare(CompareOptions options, const std::string& command_line) {
   if (options.optimizers.empty()) options.optimizers = default_optimizers(registry);
   plan.entries = parse_entries(options.optimizers, options.domains, registry);
 
-  std::optional<tbb::global_control> limit;
-  if (options.threads > 0)
-    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  const auto limit = limit_threads(options.threads);
 
   ComparisonOutcome outcome;
   {
@@ -113,8 +109,7 @@ void add_compare_command(CLI::App& app, int& status, int argc, const char* const
       ->add_option("-c,--certificate", options->plan.certificate,
                    "Optimizer that bounds R of each mesh; gaps are measured against its bound")
       ->capture_default_str();
-  command->add_option("-t,--threads", options->threads, "Threads (default: all); each run has one to itself")
-      ->check(CLI::PositiveNumber);
+  add_threads_option(*command, options->threads, "each run has one to itself");
   command->footer(
       "First the optimum of each mesh is bounded by a proof; then every optimizer has the same number of evaluations\n"
       "on the same random rotations. Runs are kept as they finish: after Ctrl-C (exit status 1) the same command goes\n"

@@ -1,6 +1,4 @@
 // rectilin experiment: the paper's figures again, each as a reproducible program.
-#include <tbb/global_control.h>
-
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -11,6 +9,7 @@
 #include "rectilin/experiments/experiment.h"
 #include "rectilin/measure/source.h"
 #include "terminal.h"
+#include "threads.h"
 
 namespace rectilin::app {
 namespace {
@@ -83,9 +82,7 @@ int experiment(const ExperimentOptions& options, const std::string& command_line
     list();
     return 0;
   }
-  std::optional<tbb::global_control> limit;
-  if (options.threads > 0)
-    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  const auto limit = limit_threads(options.threads);
 
   Runner runner(options, command_line);
   int status = 0;
@@ -116,8 +113,7 @@ void add_experiment_command(CLI::App& app, int& status, int argc, const char* co
   command->add_option("-g,--gap", options->gap, "Width to which R is certified (default: 1e-6)")
       ->check(CLI::NonNegativeNumber);
   command->add_flag("-q,--quick", options->quick, "Small: about a second for each experiment, and a gap of 1e-3");
-  command->add_option("-t,--threads", options->threads, "Threads (default: all); the answer is the same for any")
-      ->check(CLI::PositiveNumber);
+  add_threads_option(*command, options->threads, "the answer is the same for any");
   command->footer(
       "Every R is certified. OUT/NAME.json holds all numbers; each picture has a CSV file beside "
       "it,\n"

@@ -12,6 +12,7 @@
 #include "rectilin/measure/source.h"
 #include "rectilin/optim/registry.h"
 #include "terminal.h"
+#include "threads.h"
 
 namespace rectilin::app {
 namespace {
@@ -67,9 +68,7 @@ int measure(const MeasureOptions& options) {
   if (sources.empty()) throw MeshError("the list of files is empty");
   if (!options.proof.empty() && sources.size() > 1) throw ParameterError("--proof is for one mesh at a time");
 
-  std::optional<tbb::global_control> limit;
-  if (options.threads > 0)
-    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  const auto limit = limit_threads(options.threads);
   const std::size_t at_once = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
 
   // Several files at once, rows in order. Isolated, because a thread that waits for the loops inside one
@@ -126,8 +125,7 @@ void add_measure_command(CLI::App& app, int& status) {
   command->add_option("-b,--budget", options->budget.evaluations, "Evaluations at most, per mesh (default: no limit)");
   command->add_option("--seconds", options->budget.seconds, "Seconds at most, per mesh (default: no limit)")
       ->check(CLI::PositiveNumber);
-  command->add_option("-t,--threads", options->threads, "Threads (default: all); the answer is the same for any")
-      ->check(CLI::PositiveNumber);
+  add_threads_option(*command, options->threads, "the answer is the same for any");
   command->add_flag("-j,--json", options->json, "One JSON object a line instead of the table");
   command->footer(
       "The angles printed are the paper's alpha, beta, gamma (eqs. 35-37) in degrees, of the rotation that takes\n"

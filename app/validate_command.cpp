@@ -1,18 +1,16 @@
 // rectilin validate: the paper's claims, tested.
-#include <tbb/global_control.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
-#include <optional>
 
 #include "commands.h"
 #include "rectilin/experiments/claims.h"
 #include "rectilin/measure/source.h"
 #include "rectilin/optim/run_record.h"
 #include "terminal.h"
+#include "threads.h"
 
 namespace rectilin::app {
 namespace {
@@ -106,9 +104,7 @@ int run_validation(ValidateOptions options) {
     else print_list();
     return 0;
   }
-  std::optional<tbb::global_control> limit;
-  if (options.threads > 0)
-    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  const auto limit = limit_threads(options.threads);
 
   Validation validation;
   {
@@ -158,8 +154,7 @@ void add_validate_command(CLI::App& app, int& status) {
   command
       ->add_option("-O,--out", options->out, "Folder for counterexamples, made if there are any: a mesh and a rotation")
       ->capture_default_str();
-  command->add_option("-t,--threads", options->threads, "Threads (default: all); the verdicts are the same for any")
-      ->check(CLI::PositiveNumber);
+  add_threads_option(*command, options->threads, "the verdicts are the same for any");
   command->add_flag("-j,--json", options->json, "A list of JSON objects instead of the table");
   command->add_flag("-m,--markdown", options->markdown,
                     "Print the ledger of claims as a table in Markdown; test nothing");

@@ -3,6 +3,8 @@
 #include <tbb/task_arena.h>
 
 #include <array>
+#include <cmath>
+#include <functional>
 
 #include "bench.h"
 #include "inputs.h"
@@ -100,32 +102,62 @@ void bandwidth(benchmark::State& state, std::size_t faces, Precision precision, 
   state.counters["bandwidth_fraction"] = reading.over(summing);
 }
 
-/// `work(threads)` by one thread and by two, in turns. Others may hold a core at any moment, so the
-/// quickest of each counts.
-template <class Work>
-void speedup(benchmark::State& state, const Work& work) {
-  std::array<tbb::task_arena, 2> arenas = {tbb::task_arena(1), tbb::task_arena(2)};
-  std::array<Stopwatch, 2> watches = {Stopwatch(wall_seconds), Stopwatch(wall_seconds)};
-  for (auto _ : state)
-    for (const std::size_t i : {0, 1}) watches[i].time([&] { arenas[i].execute([&] { work(i + 1); }); });
-  state.counters["speedup"] = watches[0].least() / watches[1].least();
+/// Work done by one thread and by two, in turns.
+class ThreadTurns {
+ public:
+  using Work = std::function<void(std::size_t threads)>;
+
+  explicit ThreadTurns(Work work) : work_(std::move(work)) {
+    const double once = Stopwatch(wall_seconds).time([&] { arenas_[0].execute([&] { work_(1); }); });
+    calls_ = static_cast<int>(std::ceil(kTurnSeconds / once));
+  }
+
+  void take() {
+    for (const std::size_t i : {0, 1}) {
+      watches_[i].time([&] {
+        arenas_[i].execute([&] {
+          for (int call = 0; call < calls_; ++call) work_(i + 1);
+        });
+      });
+    }
+  }
+
+  double speedup() const { return watches_[0].over(watches_[1]); }
+
+ private:
+  static constexpr double kTurnSeconds = 5e-3;  // that waking the second thread does not count
+
+  Work work_;
+  std::array<tbb::task_arena, 2> arenas_ = {tbb::task_arena(1), tbb::task_arena(2)};
+  std::array<Stopwatch, 2> watches_ = {Stopwatch(wall_seconds), Stopwatch(wall_seconds)};
+  int calls_;
+};
+
+/// Beside arithmetic alone, which tells what the machine grants a second thread at that moment.
+void speedup(benchmark::State& state, RegisterLoop arithmetic, const ThreadTurns::Work& work) {
+  constexpr std::size_t kParts = 64, kRounds = 4096;
+  ThreadTurns turns(work);
+  ThreadTurns computing(
+      [&](std::size_t) { tbb::parallel_for(std::size_t{0}, kParts, [&](std::size_t) { arithmetic(kRounds); }); });
+  for (auto _ : state) {
+    turns.take();
+    computing.take();
+  }
+  state.counters["speedup"] = turns.speedup();
+  state.counters["registers_speedup"] = computing.speedup();
 }
 
-void flat_speedup(benchmark::State& state, std::size_t faces, std::size_t count) {
+void flat_speedup(benchmark::State& state, RegisterLoop arithmetic, std::size_t faces, std::size_t count) {
   const FlatSum sum(smooth_vectors(faces));
   Directions directions(random_directions(4 * count), count);
   std::vector<double> h(count);
-  speedup(state, [&](std::size_t) { sum.values(directions.next(), h); });
+  speedup(state, arithmetic, [&](std::size_t) { sum.values(directions.next(), h); });
 }
 
-/// What two threads can gain at most where arithmetic counts, and where memory does.
-void register_speedup(benchmark::State& state, RegisterLoop loop) {
-  constexpr std::size_t kParts = 64, kRounds = 4096;
-  speedup(state, [&](std::size_t) { tbb::parallel_for(std::size_t{0}, kParts, [&](std::size_t) { loop(kRounds); }); });
-}
-void reading_speedup(benchmark::State& state, std::size_t faces) {
+/// What two threads can gain where memory counts.
+void reading_speedup(benchmark::State& state, RegisterLoop arithmetic, std::size_t faces) {
   const AreaVectors& vectors = smooth_vectors(faces);
-  speedup(state, [&](std::size_t parts) { read_parts(vectors, vectors.size(), parts); });
+  speedup(state, arithmetic, [&](std::size_t parts) { read_parts(vectors, vectors.size(), parts); });
 }
 
 void registers(benchmark::State& state, RegisterLoop loop) {
@@ -166,14 +198,15 @@ void register_kernel_benchmarks() {
   }
 
   const std::string best = targets.front();
-  if (const RegisterLoop loop = register_loop(best, Precision::kDouble))
-    benchmark::RegisterBenchmark("speedup/registers", register_speedup, loop)->UseRealTime();
-  benchmark::RegisterBenchmark("speedup/reading/faces:10000000", reading_speedup, 10'000'000)->UseRealTime();
-  for (const auto& [faces, directions] :
-       {std::pair{10'000u, 1500u}, {100'000u, 150u}, {1'000'000u, 150u}, {10'000'000u, 150u}, {10'000'000u, 3u}})
-    benchmark::RegisterBenchmark(("speedup" + pair("directions", directions) + pair("faces", faces)).c_str(),
-                                 flat_speedup, faces, directions)
-        ->UseRealTime();
+  if (const RegisterLoop loop = register_loop(best, Precision::kDouble)) {
+    const auto add = [](const std::string& path, auto... work) {
+      benchmark::RegisterBenchmark(("speedup" + path).c_str(), work...)->UseRealTime();
+    };
+    add("/reading/faces:10000000", reading_speedup, loop, 10'000'000);
+    for (const auto& [faces, directions] :
+         {std::pair{10'000u, 1500u}, {100'000u, 150u}, {1'000'000u, 150u}, {10'000'000u, 150u}, {10'000'000u, 3u}})
+      add(pair("directions", directions) + pair("faces", faces), flat_speedup, loop, faces, directions);
+  }
 
   // The claim that the flat sum's time grows like N, at one number of directions.
   benchmark::RegisterBenchmark(

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <set>
 
+#include "rectilin/optim/fnv1a.h"
+
 namespace rectilin {
 namespace {
 
@@ -18,12 +20,6 @@ std::vector<std::string> split_list(const std::string& text) {
   }
   std::erase(items, "");
   return items;
-}
-
-std::uint64_t hash(std::string_view text) {  // FNV-1a
-  std::uint64_t h = 0xcbf29ce484222325u;
-  for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return h;
 }
 
 }  // namespace
@@ -99,7 +95,7 @@ std::string difference(const Plan& stored, const Plan& asked) {
 }
 
 Instance instance(std::uint64_t seed, std::string_view mesh, int run) {
-  Random random = Random(seed).fork(hash(mesh)).fork(static_cast<std::uint64_t>(run));
+  Random random = Random(seed).fork(Fnv1a().add(mesh).value()).fork(static_cast<std::uint64_t>(run));
   Instance result;
   result.rotation = random_rotation(random);
   result.run_seed = random.bits() >> 11;  // 53 bits, so that readers of JSON without integers keep it

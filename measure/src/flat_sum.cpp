@@ -28,12 +28,14 @@ struct FlatFaces {
 
 namespace {
 
-// Directions of one task when threads share the directions: a multiple of every kernel's group
-// size. 32 would split a population of fifty rotations unevenly between two threads.
+// Directions of one task: a multiple of every kernel's group size. 32 would split a population of fifty rotations
+// unevenly between two threads.
 constexpr std::size_t kTaskDirections = 24;
 
 // Below this many (face, direction) pairs, some 50 microseconds, tasks cost more than they save.
 constexpr std::size_t kSerialPairs = std::size_t{1} << 21;
+
+std::size_t ceil_div(std::size_t a, std::size_t b) { return (a + b - 1) / b; }
 
 enum class Schedule { kSerial, kThreads };
 
@@ -51,9 +53,13 @@ void sum_faces(const FlatFaces<T>& faces, FlatKernel<T> kernel, std::span<const 
       for (std::size_t i = 0; i < sums.size(); ++i) sums[i].add(part[i]);
     }
   } else {
+    const std::size_t groups = ceil_div(slopes.size(), kTaskDirections), width = sums.size() / slopes.size();
     std::vector<double> parts(chunks * sums.size());
-    tbb::parallel_for(std::size_t{0}, chunks,
-                      [&](std::size_t chunk) { faces.sum_chunk(kernel, chunk, slopes, &parts[chunk * sums.size()]); });
+    tbb::parallel_for(std::size_t{0}, chunks * groups, [&](std::size_t task) {
+      const std::size_t chunk = task / groups, first = task % groups * kTaskDirections;
+      const std::size_t count = std::min(kTaskDirections, slopes.size() - first);
+      faces.sum_chunk(kernel, chunk, slopes.subspan(first, count), &parts[chunk * sums.size() + first * width]);
+    });
     for (std::size_t i = 0; i < parts.size(); ++i) sums[i % sums.size()].add(parts[i]);
   }
 }
@@ -76,8 +82,8 @@ void evaluate_slab(const FlatFaces<T>& faces, const FlatKernels& kernels, FlatQu
   for (std::size_t k = 0; k < u.size(); ++k) results[k] = finish(u[k], scale[k], &sums[width * k]);
 }
 
-/// All directions: serially if there is little to do, else sharing faces or directions among
-/// threads, whichever gives more tasks.
+/// All directions: serially if there is little to do, else by threads that share directions, and faces if there is more
+/// than a chunk of them.
 template <class T, class Result, class Finish>
 void evaluate_all(const FlatFaces<T>& faces, const FlatKernels& kernels, FlatQuantity quantity,
                   std::span<const Vector3> u, std::span<Result> results, const Finish& finish) {
@@ -87,14 +93,14 @@ void evaluate_all(const FlatFaces<T>& faces, const FlatKernels& kernels, FlatQua
     evaluate_slab<T, Result>(faces, kernels, quantity, u.subspan(begin, count), results.subspan(begin, count), finish,
                              schedule);
   };
-  const std::size_t tasks = (u.size() + kTaskDirections - 1) / kTaskDirections;
+  const std::size_t tasks = ceil_div(u.size(), kTaskDirections);
   const bool serial = faces.whole.size * u.size() < kSerialPairs;
-  if (!serial && tasks > faces.chunks()) {
+  if (!serial && faces.chunks() == 1) {
     tbb::parallel_for(std::size_t{0}, tasks,
                       [&](std::size_t task) { slab(task * kTaskDirections, kTaskDirections, Schedule::kSerial); });
     return;
   }
-  const Schedule schedule = serial || faces.chunks() == 1 ? Schedule::kSerial : Schedule::kThreads;
+  const Schedule schedule = serial ? Schedule::kSerial : Schedule::kThreads;
   for (std::size_t k = 0; k < u.size(); k += kSlab) slab(k, kSlab, schedule);
 }
 

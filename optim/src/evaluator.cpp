@@ -1,7 +1,6 @@
 #include "rectilin/optim/evaluator.h"
 
 #include <algorithm>
-#include <bit>
 #include <stdexcept>
 
 namespace rectilin {
@@ -53,7 +52,7 @@ SmoothValue Evaluator::smooth(const Rotation& rotation, double width) {
   if (affordable(1, Costs::kPerSmooth) == 0) return {std::numeric_limits<double>::infinity(), Eigen::Matrix3d::Zero()};
   ++costs_.smooths;
   const SmoothValue smooth = objective_.smooth(rotation, width);
-  digest(smooth.value);
+  digest_.add(smooth.value);
   return smooth;
 }
 
@@ -91,13 +90,11 @@ std::size_t Evaluator::affordable(std::size_t count, std::uint64_t price) const 
 }
 
 void Evaluator::account(const Rotation& rotation, double value, std::uint64_t evaluations) {
-  digest(value);
+  digest_.add(value);
   if (!(value < incumbent_.value)) return;
   incumbent_ = {rotation, value};
   record(evaluations);
 }
-
-void Evaluator::digest(double value) { digest_ = (digest_ ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3u; }
 
 void Evaluator::record(std::uint64_t evaluations) {
   trace_.push_back(

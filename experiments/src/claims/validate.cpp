@@ -9,6 +9,7 @@
 
 #include "rectilin/experiments/claims.h"
 #include "rectilin/measure/source.h"
+#include "rectilin/optim/fnv1a.h"
 #include "tests.h"
 
 namespace rectilin {
@@ -17,12 +18,8 @@ namespace {
 using namespace claims_detail;
 
 /// A stream of random numbers for a claim and a mesh that does not depend on what else is tested.
-/// (FNV-1a.)
 Random stream(std::uint64_t seed, std::string_view claim, std::string_view source) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const std::string_view text : {claim, std::string_view("\n"), source})
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return Random(seed).fork(hash);
+  return Random(seed).fork(Fnv1a().add(claim).add("\n").add(source).value());
 }
 
 struct Job {

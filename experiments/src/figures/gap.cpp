@@ -20,13 +20,13 @@ struct Trajectory {
 
 constexpr double kThinnest = 0.98;  // a step is kept if it lowers the gap by this factor
 
-Trajectory follow(const Specimen& specimen, double gap, std::stop_token stop) {
+Trajectory follow(const Specimen& specimen, const ExperimentContext& context) {
   const ProjectedArea objective(area_vectors(specimen.make()));
   CertifyOptions options;
-  options.gap = gap;
-  Evaluator evaluator(objective, {}, stop);
+  options.gap = context.gap;
+  Evaluator evaluator(objective, {}, context.stop);
   Trajectory path{specimen.label, {}, {}, {}, certify(evaluator, options)};
-  if (stop.stop_requested()) throw Stopped();
+  if (context.stop.stop_requested()) throw Stopped();
   double last = std::numeric_limits<double>::infinity();
   for (const CertifyResult::Step& step : path.result.trajectory) {
     const double width = objective.merit(step.lower) - objective.merit(step.value);
@@ -72,9 +72,7 @@ Plot picture(const std::vector<Trajectory>& paths, const std::string& name, cons
 }
 
 struct Gap {
-  double gap = 1e-6;
-
-  void bind(Parameters& parameters) { parameters.real("gap", gap, 1e-10, 1, "gap of R at which a proof ends"); }
+  void bind(Parameters&) {}
 
   ExperimentResult run(const ExperimentContext& context) const {
     std::vector<Specimen> specimens = {
@@ -91,7 +89,7 @@ struct Gap {
     for (std::size_t i = 0; i < specimens.size(); ++i) {  // one by one, for their times
       if (context.on_progress) context.on_progress(i, specimens.size(), specimens[i].label);
       try {
-        paths.push_back(follow(specimens[i], gap, context.stop));
+        paths.push_back(follow(specimens[i], context));
       } catch (const MeshError& e) {
         result.errors.push_back(e.what());
         continue;
@@ -123,7 +121,7 @@ struct Gap {
 
 Experiment gap() {
   return make_experiment<Gap>("gap", "The certified interval closes: gap against boxes and seconds",
-                              "meshes of different kinds", "gap=0.001");
+                              "meshes of different kinds", "");
 }
 
 }  // namespace rectilin::figures

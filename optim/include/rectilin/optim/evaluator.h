@@ -9,6 +9,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "rectilin/optim/fnv1a.h"
 #include "rectilin/optim/objective.h"
 
 namespace rectilin {
@@ -105,12 +106,11 @@ class Evaluator {
   const std::vector<TracePoint>& trace() const { return trace_; }
 
   /// A digest of every value given (of values, cuts, turns and the smooth surrogate), in the order asked for.
-  std::uint64_t digest() const { return digest_; }
+  std::uint64_t digest() const { return digest_.value(); }
 
  private:
   std::size_t affordable(std::size_t count, std::uint64_t price) const;
   void account(const Rotation& rotation, double value, std::uint64_t evaluations);
-  void digest(double value);
   void record(std::uint64_t evaluations);
 
   const Objective& objective_;
@@ -121,7 +121,7 @@ class Evaluator {
   Incumbent incumbent_;
   std::optional<double> lower_;
   std::vector<TracePoint> trace_;
-  std::uint64_t digest_ = 0xcbf29ce484222325u;  // FNV-1a's offset basis
+  Fnv1a digest_;
 };
 
 }  // namespace rectilin
