@@ -133,7 +133,8 @@ std::string grid(const std::string& title, const std::vector<Panel>& panels, int
   std::ostringstream text;
   text << terminal(size, 12) << "set multiplot layout " << rows_of(panels.size(), columns) << ',' << columns
        << " title " << quoted(title)
-       << " noenhanced\nunset key\nset tmargin 2.6\nset bmargin 3.3\nset rmargin 2\nset grid lc rgb '#e8e8e8' lw 1\nset border 3\nset tics nomirror\n";
+       << " noenhanced\nunset key\nset tmargin 2.6\nset bmargin 3.3\nset rmargin 2\n"
+       << "set grid lc rgb '#e8e8e8' lw 1\nset border 3\nset tics nomirror\n";
   for (const Panel& panel : panels)
     text << "set title " << quoted(shortened(panel.title, kPanelTitle)) << " noenhanced offset 0,-0.5\n"
          << axis("x", panel.x, true) << axis("y", panel.y, true) << plot(panel, 2);
