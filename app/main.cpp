@@ -30,6 +30,9 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     // CLI11 prints help to standard output with status 0, complaints to standard error.
     return app.exit(e) == 0 ? 0 : 2;
+  } catch (const rectilin::ParameterError& e) {
+    complain(e.what());
+    return 2;
   } catch (const std::exception& e) {
     complain(e.what());
     return 1;

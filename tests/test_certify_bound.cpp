@@ -151,10 +151,10 @@ TEST_CASE("a box that a set of balls holds has every rotation in one", "[certify
   for (int trial = 0; trial < 2000 * kEffort; ++trial) {
     Box box = random_box(random);
     const Rotation centre = rotation_from_rodrigues(random_point(random, box));
-    const double angle = random.uniform(0.01, 1.5);
+    const double angle = std::pow(10.0, random.uniform(-6, std::log10(1.5)));
     Balls balls;
     balls.add(frame_symmetries()[random.below(24)] * centre, angle);
-    if (balls.holding(box) < 0) continue;
+    if (!balls.hold(box)) continue;
     ++held;
     for (int i = 0; i < 10; ++i)
       REQUIRE(frame_angle(rotation_from_rodrigues(random_point(random, box)), centre) <= angle * (1 + 1e-9));

@@ -74,6 +74,7 @@ TEST_CASE("verify refuses a proof that was tampered with", "[verify]") {
   };
   require_refused(proof, mesh_of("soup?faces=100&seed=2"), "another mesh");
   require_refused(changed([](Json& p) { p["lower"] = p["lower"].get<double>() + 1e-6; }), mesh, "bound does not hold");
+  require_refused(changed([](Json& p) { p["lower"] = p["value"].get<double>() + 1e-9; }), mesh, "exceeds the value");
   require_refused(changed([](Json& p) { p["value"] = p["value"].get<double>() - 1e-6; }), mesh, "value stated");
   require_refused(changed([](Json& p) { p["leaves"].erase(5); }), mesh, "leaf");
   require_refused(changed([](Json& p) { p["tree"] = p["tree"].get<std::string>() + "l"; }), mesh, "after its end");
@@ -93,6 +94,15 @@ TEST_CASE("verify refuses a proof that was tampered with", "[verify]") {
   require_refused(changed([](Json& p) { p["format"] = 7; }), mesh, "");
   require_refused(changed([](Json& p) { p["directions"][0] = Json::array({1, 2}); }), mesh, "three numbers");
   require_refused(changed([](Json& p) { p.erase("leaves"); }), mesh, "missing");
+}
+
+TEST_CASE("verify refuses sums made to round upwards", "[verify]") {
+  // A weight of less than half a unit in the last place of 1 leaves their sum at 1, but may raise the mixture.
+  const Mesh mesh = mesh_of("soup?faces=100");
+  Json proof = prove(mesh);
+  Json& axis = proof["leaves"][0][0];
+  for (int i = 0; i < 1000; ++i) axis.insert(axis.end(), {axis[0], 1.11e-16});
+  require_refused(proof, mesh, "mixes more than");
 }
 
 TEST_CASE("verify refuses every truncation without a crash", "[verify]") {

@@ -13,10 +13,12 @@
 #include <set>
 #include <tuple>
 
+#include "rectilin/experiments/csv.h"
 #include "rectilin/experiments/journal.h"
 #include "rectilin/experiments/provenance.h"
 #include "rectilin/measure/projected_area.h"
 #include "rectilin/measure/source.h"
+#include "rectilin/measure/verify.h"
 #include "rectilin/optim/run_record.h"
 
 namespace rectilin {
@@ -28,9 +30,7 @@ void store_plan(const Plan& plan, const fs::path& folder) {
   fs::create_directories(folder);
   const fs::path file = folder / "plan.json";
   if (!fs::exists(file)) {
-    std::ofstream out(file);
-    out << to_json(plan).dump(2) << '\n';
-    if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written");
+    write_text(file, to_json(plan).dump(2) + '\n');
     return;
   }
   Plan stored;
@@ -61,6 +61,7 @@ Json trace_json(const RunRecord& record, const Objective& objective) {
 /// A mesh of the plan with what is known of it.
 struct Problem {
   std::string name, error;
+  std::string digest;  // of the mesh
   std::optional<AreaVectors> vectors;
   bool certified = false;
 };
@@ -100,10 +101,12 @@ class Comparison {
 
  private:
   Problem load(const std::string& mesh) {
-    Problem problem{mesh, {}, {}};
+    Problem problem{mesh, {}, {}, {}};
     show("reading " + mesh);
     try {
-      problem.vectors = area_vectors(load_mesh(mesh).mesh);
+      const Mesh loaded = load_mesh(mesh).mesh;
+      problem.vectors = area_vectors(loaded);
+      problem.digest = mesh_digest(loaded);
     } catch (const std::exception& e) {
       problem.error = e.what();
       outcome_.mesh_errors.push_back(problem.error.starts_with(mesh) ? problem.error : mesh + ": " + problem.error);
@@ -115,7 +118,7 @@ class Comparison {
     for (Problem& problem : problems_) {
       if (problem.name != line.at("mesh")) continue;
       problem.certified = true;
-      if (problem.vectors && line.value("area", 0.0) != problem.vectors->area())
+      if (problem.vectors && line.value("digest", "") != problem.digest)
         throw ParameterError(problem.name + " has changed since the comparison began; choose another folder");
     }
   }
@@ -148,6 +151,7 @@ class Comparison {
       line.update({{"faces", problem.vectors->faces},
                    {"directions", problem.vectors->size()},
                    {"area", problem.vectors->area()},
+                   {"digest", problem.digest},
                    {"certificate", to_json(record)}});
     } else {
       line["error"] = problem.error;

@@ -39,9 +39,13 @@ void Csv::line(const std::vector<std::string>& cells) {
 void Csv::write(const std::filesystem::path& file) const { write_text(file, text_); }
 
 void write_text(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  out << text << std::flush;
-  if (!out) throw std::runtime_error(file.string() + ": cannot be written");
+  const std::filesystem::path begun = file.string() + ".new";
+  {
+    std::ofstream out(begun, std::ios::binary);
+    out << text << std::flush;
+    if (!out) throw std::runtime_error(file.string() + ": cannot be written");
+  }
+  std::filesystem::rename(begun, file);
 }
 
 }  // namespace rectilin

@@ -13,6 +13,7 @@ using html::link;
 using html::paragraph;
 
 std::string picture(const PageFigure& figure, const std::filesystem::path& folder) {
+  if (figure.name.empty()) return "";  // no mesh could be measured
   const std::string base = "plots/" + figure.name;
   const std::string files = "Data: " + link(base + ".csv", "CSV") + ", " + link(base + ".gp", "gnuplot") + ".";
   if (!std::filesystem::exists(folder / (base + ".svg")))

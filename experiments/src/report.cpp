@@ -111,6 +111,7 @@ class Gallery {
 
 PageFigures add_figures(const Results& results, const Summary& summary, Gallery& gallery) {
   PageFigures figures;
+  if (std::ranges::none_of(results.meshes, [](const MeshResult& mesh) { return mesh.error.empty(); })) return figures;
   figures.runtimes = gallery.add(runtime_plot(results, Cost::kEvaluations));
   figures.runtimes_seconds = gallery.add(runtime_plot(results, Cost::kSeconds));
   figures.profile = gallery.add(profile_plot(results, summary));

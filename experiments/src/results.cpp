@@ -36,7 +36,7 @@ MeshResult mesh_from_json(const Json& line) {
   }
   line.at("faces").get_to(mesh.faces);
   line.at("directions").get_to(mesh.directions);
-  line.at("area").get_to(mesh.area);
+  mesh.area = number(line.at("area"));  // null if out of range
   const Json& proof = line.at("certificate");
   const double bound = number(proof.at("lower"));
   mesh.upper = rectilinearity(std::isnan(bound) ? 1.0 : std::max(bound, 1.0));  // S <= P holds for any mesh

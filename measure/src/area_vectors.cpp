@@ -51,8 +51,8 @@ int length_exponent(const Mesh& mesh) {
   return exponent;
 }
 
-/// Makes neighbours along the curve neighbours in the plane. Runs are of fixed length, so that the order does not depend
-/// on the number of threads.
+/// Makes neighbours along the curve neighbours in the plane. Runs are of fixed length, so that the order does not
+/// depend on the number of threads.
 void arrange_runs(AreaVectors& vectors) {
   tbb::parallel_for(std::size_t{0}, (vectors.size() + kRun - 1) / kRun, [&](std::size_t part) {
     const std::size_t begin = part * kRun, end = std::min(begin + kRun, vectors.size());
@@ -64,13 +64,26 @@ void arrange_runs(AreaVectors& vectors) {
   });
 }
 
+/// Scales vectors that are all short up to about 1, so that products of their squares do not underflow; returns the
+/// exponent that undoes it.
+int lengthen(std::vector<Vector3>& vectors) {
+  constexpr double kShort = 0x1p-64;
+  double largest = 0;
+  for (const Vector3& v : vectors) largest = std::max(largest, v.cwiseAbs().maxCoeff());
+  if (!(largest > 0 && largest < kShort)) return 0;
+  const int exponent = std::ilogb(largest);
+  for (Vector3& v : vectors) v = v.unaryExpr([exponent](double c) { return std::ldexp(c, -exponent); });
+  return exponent;
+}
+
 }  // namespace
 
 double AreaVectors::area() const { return std::ldexp(total, exponent); }
 
 AreaVectors area_vectors(std::vector<Vector3> vectors) {
-  const std::vector<std::uint32_t> order = order_by_direction(vectors);
   AreaVectors result;
+  result.exponent = lengthen(vectors);
+  const std::vector<std::uint32_t> order = order_by_direction(vectors);
   result.faces = order.size();
   for (AlignedDoubles* component : {&result.x, &result.y, &result.z}) component->reserve(order.size());
   const auto sorted = [&](std::size_t i) -> const Vector3& {
@@ -109,7 +122,7 @@ AreaVectors area_vectors(const Mesh& mesh) {
     }
   });
   AreaVectors result = area_vectors(std::move(vectors));
-  result.exponent = 2 * exponent;
+  result.exponent += 2 * exponent;
   if (result.total == 0) throw MeshError("the total area is zero");
   return result;
 }

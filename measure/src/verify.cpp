@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -17,10 +18,12 @@ using Matrix3 = Eigen::Matrix3d;
 using Extended3 = Eigen::Matrix<long double, 3, 1>;
 
 /// All rounding in a bound, relative to S = 1. Three cuts: a block of kBlock faces is summed in double precision,
-/// kBlock 2^-53 each, everything else of a few roundoffs; then the polynomial's 27 coefficients.
-constexpr std::size_t kBlock = 1024;
+/// kBlock 2^-53 each, everything between blocks in more; a mixture adds kMostTerms of these, and their weights
+/// likewise, everything else is a few roundoffs. Then the polynomial's 27 coefficients.
+constexpr std::size_t kBlock = 1024, kMostTerms = 64;
 constexpr double kAllowance = 1e-12;
-static_assert(3 * (kBlock + 64) * 0x1p-53 < kAllowance / 2);
+static_assert(3 * (kBlock + 2 * kMostTerms + 64) * 0x1p-53 < kAllowance / 2);
+static_assert(std::numeric_limits<long double>::digits >= 64, "sums over blocks need more than double precision");
 
 constexpr double kHalfEdge = 0.41421356237309510;  // of the zone's cube, at least sqrt(2) - 1
 constexpr int kMostHalvings = 12;                  // of a leaf, until its bound shows
@@ -135,6 +138,8 @@ Eigen::Vector3d vector(const Json& json) {
 /// The mixture of cuts of one axis of a leaf.
 Eigen::Vector3d mixture(const Json& terms, const std::vector<Eigen::Vector3d>& cuts, const std::string& where) {
   if (!terms.is_array() || terms.size() % 2 != 0 || terms.empty()) refuse(where + ": an axis is not a list of pairs");
+  if (terms.size() > 2 * kMostTerms)
+    refuse(where + ": an axis mixes more than " + std::to_string(kMostTerms) + " cuts");
   double sum = 0;
   Eigen::Vector3d result = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < terms.size(); i += 2) {
@@ -205,6 +210,7 @@ Verdict check(const Json& json, const Mesh& mesh) {
   const double value = value_at(faces, rotation), lower = number(json["lower"]);
   if (!(std::abs(value - number(json["value"])) < 1e-10)) refuse("the rotation does not have the value stated");
   if (!(lower > 0)) refuse("the bound is not positive");
+  if (lower > value) refuse("the bound exceeds the value");
 
   Verdict verdict;
   if (!json["tree"].is_string() || !json["leaves"].is_array() || !json["directions"].is_array())
@@ -219,8 +225,9 @@ Verdict check(const Json& json, const Mesh& mesh) {
     verdict.leaves = check_leaves(tree, json["leaves"], cuts, lower);
   }
   verdict.accepted = true;
-  verdict.lower = 3 / value - 2;
-  verdict.upper = 3 / lower - 2;
+  constexpr double kRounding = 0x1p-50;  // of these two lines
+  verdict.lower = 3 / value - 2 - kRounding;
+  verdict.upper = 3 / lower - 2 + 3 / lower * kRounding;
   return verdict;
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <numeric>
 
+#include "allowance.h"
+
 namespace rectilin {
 namespace {
 
@@ -139,8 +141,11 @@ GeneticAlgorithm::GeneticAlgorithm(Options options) : OptimizerWith(options) {
 
 void GeneticAlgorithm::run(Evaluator& evaluator, const Chart& chart, Random& random) const {
   Breeder breeder(options_, random);
+  const Allowance allowance(evaluator, 0);
+  const bool endless = options_.generations == 0;
   breeder.evaluate(evaluator, chart);
-  for (int generation = 1; generation != options_.generations && !evaluator.exhausted(); ++generation) {
+  for (int generation = 1; endless ? !allowance.spent() : generation < options_.generations && !evaluator.exhausted();
+       generation += !endless) {
     breeder.breed();
     breeder.evaluate(evaluator, chart);
   }

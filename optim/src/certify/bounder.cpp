@@ -47,10 +47,10 @@ void Bounder::describe(Cell& cell, const Corners& corners, const Strategies& str
 
   // Halving an edge of half length e halves the mixture's slope along it, and a quarter of the curvature's loss
   // is left, which is 4/3 value e^2: the corner matrices' convex hull is that far from the rotations.
-  static const std::array<Array8, 3> signs = {corner_signs(0), corner_signs(1), corner_signs(2)};
   const Eigen::Vector3d e = cell.box.half_edges();
   for (int i = 0; i < 3; ++i)
-    cell.spread[i] = static_cast<float>(std::abs((signs[i] * values).sum()) / 8 + 4.0 / 3 * cell.bound * e[i] * e[i]);
+    cell.spread[i] =
+        static_cast<float>(std::abs((kCornerSigns[i] * values).sum()) / 8 + 4.0 / 3 * cell.bound * e[i] * e[i]);
 
   for (int k = 0; k < 3; ++k) {
     Cell::Bundle& bundle = cell.bundles[k];

@@ -13,11 +13,13 @@ namespace rectilin::bounding {
 /// A number for each corner of a box. Bit i of the corner's index says which end it has on axis i.
 using Array8 = Eigen::Array<double, 8, 1>;
 
-inline Array8 corner_signs(int axis) {
-  Array8 signs;
-  for (int c = 0; c < 8; ++c) signs[c] = (c >> axis) % 2 == 0 ? -1 : 1;
+/// -1 or 1 by the end that each corner has on an axis.
+inline const std::array<Array8, 3> kCornerSigns = [] {
+  std::array<Array8, 3> signs;
+  for (int axis = 0; axis < 3; ++axis)
+    for (int c = 0; c < 8; ++c) signs[axis][c] = (c >> axis) % 2 == 0 ? -1 : 1;
   return signs;
-}
+}();
 
 struct Box {
   Eigen::Vector3d lower, upper;
@@ -40,8 +42,7 @@ struct Box {
   bool meets_zone() const { return lower.cwiseMax(-upper).cwiseMax(0).sum() <= 1 + 1e-15; }
 
   Array8 coordinate(int axis) const {
-    const double centre = 0.5 * (lower[axis] + upper[axis]);
-    Array8 x = Array8::Constant(centre);
+    Array8 x;
     for (int c = 0; c < 8; ++c) x[c] = ((c >> axis) % 2 == 0 ? lower : upper)[axis];
     return x;
   }

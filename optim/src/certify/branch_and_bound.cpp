@@ -10,9 +10,9 @@
 namespace rectilin::bounding {
 namespace {
 
-/// Angle (radians) by which the rotations asked for are off the model's minima, at most, and in units of the gap. These
-/// minima tend to have faces parallel to axes to the last bit, where the signs in a cut are rounding noise; a little
-/// off, they are the same for everyone who recomputes the cut.
+/// How far each Rodrigues component of the rotations asked for is off the model's minima, at most, and in units of the
+/// gap. These minima tend to have faces parallel to axes to the last bit, where the signs in a cut are rounding noise;
+/// a little off, they are the same for everyone who recomputes the cut.
 constexpr double kJitter = 1e-8, kJitterPerGap = 0.01;
 
 constexpr std::size_t kOpenPerRound = 16, kGrowth = 16;  // a round takes a 16th of the open cells, up to 16 batches
@@ -24,14 +24,27 @@ constexpr std::uint64_t kCellsBeforeMinorants = 20'000;  // by then the incumben
 // What minorants on the sphere cost, in cells.
 constexpr double kManyCells = 3e6, kCellsPerGenerator = 20;
 
+/// Neighbouring numbers between which the merit, which falls as values grow, falls to `target`.
+struct Passage {
+  double low, high;
+
+  Passage(const Objective& objective, double target, double above, double below) : low(above), high(below) {
+    for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
+      (objective.merit(middle) <= target ? high : low) = middle;
+  }
+};
+
 }  // namespace
 
 double cutoff_value(const Objective& objective, double value, double gap) {
-  const double target = objective.merit(value) + gap;
-  double low = 0, high = value;
-  for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
-    (objective.merit(middle) <= target ? high : low) = middle;
-  return high;
+  return Passage(objective, objective.merit(value) + gap, 0, value).high;
+}
+
+double threshold_value(const Objective& objective, double value, double gap) {
+  const double target = objective.merit(value) - gap;
+  double beyond = 2 * value;
+  while (std::isfinite(beyond) && objective.merit(beyond) > target) beyond *= 2;
+  return std::isfinite(beyond) ? Passage(objective, target, value, beyond).low : beyond;
 }
 
 double rounding_allowance(const CutBounds& bounds) { return 3 * bounds.error + kBoxRounding * bounds.norm; }
@@ -97,7 +110,7 @@ void BranchAndBound::take_round() {
         continue;
       }
     }
-    if (balls_.holding(cell.box) >= 0) ++result_.leaves;
+    if (balls_.hold(cell.box)) ++result_.leaves;
     else round_.emplace_back().cell = cell;
   }
 }
@@ -216,7 +229,7 @@ void BranchAndBound::halve(Slot& slot) const {
     part.cell.retries = 0;
     if (!part.cell.box.meets_zone()) {
       part.state = Part::State::kOutside;
-    } else if (balls_.holding(part.cell.box) >= 0) {
+    } else if (balls_.hold(part.cell.box)) {
       part.state = Part::State::kInBall;
     } else {
       part.weight = raise(part.cell);
@@ -241,7 +254,7 @@ void BranchAndBound::sharpen(Cell& cell) const {
     const Eigen::Vector3d axis = middle.axis(k);
     Eigen::Matrix3d form = Eigen::Matrix3d::Zero();
     form.row(k) = axis.transpose();
-    const double cosine = box_bound(form, corners.along(k, axis), cell.box) - 1e-14;
+    const double cosine = box_bound(form, corners.along(k, axis), cell.box) - kBoxRounding;
     if (cosine < 0.7) return;
     const auto minorant = minorants_->on_cap(axis, std::acos(cosine) * (1 + 1e-9));
     if (!minorant) return;

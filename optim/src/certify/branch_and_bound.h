@@ -18,6 +18,9 @@ namespace rectilin::bounding {
 /// The least value of the objective whose merit is within `gap` of that of `value`.
 double cutoff_value(const Objective& objective, double value, double gap);
 
+/// The largest such value; infinite if all are.
+double threshold_value(const Objective& objective, double value, double gap);
+
 /// What is known of rounding, in the units of the objective: a bound that was computed may be too high by that much.
 double rounding_allowance(const CutBounds& bounds);
 

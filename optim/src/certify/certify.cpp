@@ -26,7 +26,7 @@ Certificate certificate_of(const bounding::ProofTree& proof, const CertifyResult
   certificate.tree = "f";
   // Whoever recomputes the leaves' bounds rounds differently, so the claim is a little less than what was proved.
   const double claim = std::min(result.lower, proof.bound()) - bounding::rounding_allowance(facts);
-  certificate.lower = std::max(claim, facts.floor);
+  certificate.lower = facts.floor;
   if (claim > facts.floor) {
     certificate = proof.certificate();
     certificate.lower = claim;
@@ -51,9 +51,7 @@ CertifyResult certify(Evaluator& evaluator, const CertifyOptions& options, Certi
   }
   if (proof) *certificate = certificate_of(*proof, result, evaluator.objective().cut_bounds());
   if (options.optima && result.closed) {
-    // A frame is within the gap if its merit is.
-    const double best = result.incumbent.value;
-    const double threshold = 2 * best - bounding::cutoff_value(evaluator.objective(), best, options.gap);
+    const double threshold = bounding::threshold_value(evaluator.objective(), result.incumbent.value, options.gap);
     result.optima = bounding::find_optima(evaluator, options, threshold);
   }
   return result;

@@ -18,12 +18,12 @@ class Model {
   /// The game of the cube of turns: to first order, turning the frame by t moves a cut g's value at the axis r by
   /// t . (r x g).
   Strategies minimum(const Rotation& at, double radius) const {
-    static const std::array<Array8, 3> signs = {corner_signs(0), corner_signs(1), corner_signs(2)};
     CornerGame game;
     for (int k = 0; k < 3; ++k)
       for (const Eigen::Vector3d& slope : slopes_[k]) {
         const Eigen::Vector3d axis = at.axis(k), moment = radius * axis.cross(slope);
-        game.add(k, slope.dot(axis) + moment[0] * signs[0] + moment[1] * signs[1] + moment[2] * signs[2]);
+        game.add(k, slope.dot(axis) + moment[0] * kCornerSigns[0] + moment[1] * kCornerSigns[1] +
+                        moment[2] * kCornerSigns[2]);
       }
     return solve(game, std::numeric_limits<double>::infinity());
   }
@@ -47,7 +47,6 @@ class Model {
 }  // namespace
 
 Incumbent descend(Evaluator& evaluator, const Rotation& start, const Cut& cut, int steps, double enough) {
-  static const std::array<Array8, 3> signs = {corner_signs(0), corner_signs(1), corner_signs(2)};
   Model model(cut);
   Rotation at = start;
   double value = cut.value, radius = kFirstRadius;
@@ -56,7 +55,7 @@ Incumbent descend(Evaluator& evaluator, const Rotation& start, const Cut& cut, i
     const double promised = value - best.value;
     if (!(promised > std::max(1e-14 * value, enough))) break;
     Eigen::Vector3d turn;
-    for (int i = 0; i < 3; ++i) turn[i] = radius * (signs[i] * best.corner).sum();
+    for (int i = 0; i < 3; ++i) turn[i] = radius * (kCornerSigns[i] * best.corner).sum();
     // The axes r turn to exp(turn) r, in the mesh's coordinates; the quaternion keeps the frame orthonormal.
     const Rotation next = Rotation::from_quaternion((at * rotation_from_vector(turn).inverse()).quaternion());
     const Cut there = evaluator.cut(next);

@@ -13,6 +13,9 @@ namespace {
 constexpr double kTolerances[] = {1e-12, 1e-10, 1e-8, 1e-6, 1e-4};
 constexpr std::size_t kMostFree = 200, kMostSummands = 24;
 
+/// Rounding of half an angle's cosine as Balls computes it: of quaternions, products of four terms, roots.
+constexpr double kCosineRounding = 0x1p-48;
+
 /// A face nearly parallel to axis k, with the sign that makes r_k . v nonnegative.
 struct FreeFace {
   double angle;    // to being parallel
@@ -148,13 +151,12 @@ void Balls::add(const Rotation& centre, double angle) {
     // No rotation of the zone turns by more than 62.8 degrees.
     if (angle_between(copy, Rotation()) > 1.1 + angle) continue;
     const Eigen::Quaterniond q = copy.quaternion().normalized();
-    balls_.push_back({{q.w(), q.x(), q.y(), q.z()}, std::cos(0.5 * angle), count_});
+    balls_.push_back({{q.w(), q.x(), q.y(), q.z()}, std::cos(0.5 * angle) + kCosineRounding});
   }
-  ++count_;
 }
 
-int Balls::holding(const Box& box) const {
-  if (balls_.empty()) return -1;
+bool Balls::hold(const Box& box) const {
+  if (balls_.empty()) return false;
   const Eigen::Vector3d middle = box.centre();
   const double norm = 1 + middle.squaredNorm();
   for (const Ball& ball : balls_) {
@@ -165,9 +167,9 @@ int Balls::holding(const Box& box) const {
     const Corners corners(box);
     const Array8 products = q[0] + q[1] * corners.rho[0] + q[2] * corners.rho[1] + q[3] * corners.rho[2];
     const Array8 nearest = product < 0 ? Array8(-products) : products;
-    if ((nearest > ball.cosine * corners.norm.sqrt()).all()) return ball.index;
+    if ((nearest > ball.cosine * corners.norm.sqrt()).all()) return true;
   }
-  return -1;
+  return false;
 }
 
 }  // namespace rectilin::bounding

@@ -21,21 +21,20 @@ inline constexpr double kBallRounding = 1e-11;
 /// A set of balls, each with all its 24 copies that reach the zone.
 class Balls {
  public:
+  /// Takes a little less than the angle, for the rounding of quaternions and products.
   void add(const Rotation& centre, double angle);
   void clear() { balls_.clear(); }
   bool empty() const { return balls_.empty(); }
 
-  /// Index (in the order added) of a ball that holds the whole box, or -1.
-  int holding(const Box& box) const;
+  /// Is the whole box in one of them?
+  bool hold(const Box& box) const;
 
  private:
   struct Ball {
     Eigen::Vector4d quaternion;  // (w, x, y, z) of the centre
     double cosine;               // of half the angle
-    int index;
   };
   std::vector<Ball> balls_;
-  int count_ = 0;
 };
 
 }  // namespace rectilin::bounding

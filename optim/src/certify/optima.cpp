@@ -80,7 +80,7 @@ class Search {
     const Generators generators = evaluator_.objective().generators();
     if (generators.size() == 0) return;
     for (Candidate& candidate : open_) {
-      if (candidate.descended || balls_.holding(candidate.cell.box) >= 0) continue;
+      if (candidate.descended || balls_.hold(candidate.cell.box)) continue;
       candidate.descended = true;
       const Rotation start = rotation_from_rodrigues(candidate.cell.low_point);
       const Incumbent minimum = descend(evaluator_, start, evaluator_.cut(start), kDescent, 0);
@@ -91,7 +91,7 @@ class Search {
       centres_.push_back({minimum.rotation, angle});
       found_.push_back({Optimum::Kind::kPoint, reduce_to_zone(minimum.rotation), minimum.value});
     }
-    std::erase_if(open_, [this](const Candidate& c) { return balls_.holding(c.cell.box) >= 0; });
+    std::erase_if(open_, [this](const Candidate& c) { return balls_.hold(c.cell.box); });
   }
 
   bool is_known(const Rotation& rotation, double angle) const {
@@ -105,7 +105,7 @@ class Search {
     tbb::parallel_for(std::size_t{0}, halves.size(), [&](std::size_t i) {
       Candidate& half = halves[i] = open_[i / 2];
       half.cell.box = half.cell.box.half(axis, static_cast<int>(i % 2));
-      if (half.cell.box.meets_zone() && balls_.holding(half.cell.box) < 0) bounder_.raise(half.cell, enough_);
+      if (half.cell.box.meets_zone() && !balls_.hold(half.cell.box)) bounder_.raise(half.cell, enough_);
       else half.cell.bound = enough_;
     });
     std::erase_if(halves, [this](const Candidate& c) { return c.cell.bound >= enough_; });

@@ -39,11 +39,11 @@ LabelledSpec split_label(std::string_view text);
 /// Reads optimizers separated by commas or blanks, each `[LABEL=]SPEC[@DOMAIN]`. A comma before a
 /// number belongs to a value, as in `x?start=1,2,3`. An optimizer that searches a chart and names no
 /// domain runs on each of `domains`; with several, its labels say which. Throws ParameterError for what the
-/// registry cannot make, an unknown domain, or two entries of one label.
+/// registry cannot make or an unknown domain.
 std::vector<Entry> parse_entries(const std::vector<std::string>& lists, const std::vector<std::string>& domains,
                                  const Registry& registry);
 
-/// Throws ParameterError for a plan without meshes, entries or runs, or with a mesh twice.
+/// Throws ParameterError for a plan without meshes, entries or runs, or with a mesh or a label twice.
 void check(const Plan& plan);
 
 Json to_json(const Plan& plan);

@@ -20,7 +20,8 @@ using AlignedDoubles = std::vector<double, tbb::cache_aligned_allocator<double>>
 /// parallel add up (|u.v| + |u.cv| = |u.(1+c)v|), so each distinct direction is kept once.
 ///
 /// Lengths are relative: they are scaled by a power of two such that the largest coordinate
-/// extent lies in [1/2, 1). Neither R nor any ratio of areas depends on it; `area()` undoes it.
+/// extent lies in [1/2, 1), or the longest vector about 1 if all are very short. Neither R nor any ratio of areas
+/// depends on it; `area()` undoes it.
 struct AreaVectors {
   AlignedDoubles x, y, z;  ///< components, on one hemisphere, near ones side by side (as a normal tree wants them)
   double total = 0;        ///< S, the sum of all faces' areas, in the scaled unit

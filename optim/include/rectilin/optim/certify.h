@@ -37,7 +37,7 @@ struct ActiveFace {
 /// A set of frames within the gap of the best value, as far as it could be told apart from others.
 struct Optimum {
   enum class Kind {
-    kPoint,      ///< frames within the gap, none further than 0.02 radians from another
+    kPoint,      ///< a minimum; other frames within the gap are near it (0.02 radians) or in a ball where none is lower
     kContinuum,  ///< frames within the gap that stretch further: a curve of them, or closer than can be told
     kPossible,   ///< cells that could not be excluded; no frame within the gap was found there
   };

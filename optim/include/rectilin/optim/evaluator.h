@@ -26,7 +26,7 @@ struct Budget {
 
 /// Costs in the one declared unit, an evaluation: the value of the objective at one rotation. What else can be asked
 /// for has a fixed price, so that budgets and traces do not depend on the machine: its time in values, measured on
-/// meshes of 300 to 20,000 faces (geometric means 1.4 to 2.1, 4.9 and 19; papers/laboratory.md). On larger meshes
+/// meshes of 300 to 20,000 faces (papers/laboratory.md). On larger meshes
 /// values are summed by a tree, which smooth values and turns are not: there these cost several times their price.
 struct Costs {
   static constexpr std::uint64_t kPerValue = 1;
