@@ -4,11 +4,11 @@
 #include <memory>
 
 #include "commands.h"
+#include "options.h"
 #include "rectilin/experiments/comparison.h"
 #include "rectilin/experiments/report.h"
 #include "rectilin/measure/source.h"
 #include "terminal.h"
-#include "threads.h"
 
 namespace rectilin::app {
 namespace {
@@ -92,10 +92,10 @@ void add_compare_command(CLI::App& app, int& status, int argc, const char* const
                    "Runs of each optimizer on each mesh, every one on another rotation of it")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  command->add_option("-b,--budget", options->plan.budget, "Evaluations a run")
-      ->check(CLI::PositiveNumber)
+  command->add_option("-b,--budget", options->plan.budget, "Evaluations a run")->check(count())->capture_default_str();
+  command->add_option("-s,--seed", options->plan.seed, "Seed of rotations and runs")
+      ->check(seed())
       ->capture_default_str();
-  command->add_option("-s,--seed", options->plan.seed, "Seed of rotations and runs")->capture_default_str();
   command
       ->add_option("-d,--domain,--domains", options->domains,
                    "Box for optimizers that search one and name none: paper, covering or zone; several, separated by "

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "commands.h"
+#include "options.h"
 #include "rectilin/experiments/experiment.h"
 #include "rectilin/measure/source.h"
 #include "terminal.h"
-#include "threads.h"
 
 namespace rectilin::app {
 namespace {
@@ -109,9 +109,8 @@ void add_experiment_command(CLI::App& app, int& status, int argc, const char* co
                       "Mesh files, folders of them, built-in shapes (shape:NAME?key=value), for "
                       "experiments that take meshes; without, they make their own");
   command->add_option("-O,--out", options->out, "Folder for everything")->capture_default_str();
-  command->add_option("-s,--seed", options->seed, "Seed of everything random")->capture_default_str();
-  command->add_option("-g,--gap", options->gap, "Width to which R is certified (default: 1e-6)")
-      ->check(CLI::NonNegativeNumber);
+  command->add_option("-s,--seed", options->seed, "Seed of everything random")->check(seed())->capture_default_str();
+  command->add_option("-g,--gap", options->gap, "Width to which R is certified (default: 1e-6)")->check(width());
   command->add_flag("-q,--quick", options->quick, "Small: about a second for each experiment, and a gap of 1e-3");
   add_threads_option(*command, options->threads, "the answer is the same for any");
   command->footer(

@@ -1,5 +1,6 @@
 // rectilin: the command line. Parses, calls the libraries, prints.
 #include <exception>
+#include <filesystem>
 
 #include "commands.h"
 #include "terminal.h"
@@ -25,14 +26,23 @@ int main(int argc, char** argv) {
   add_convert_command(app, status);
   add_list_commands(app);
 
+  app.failure_message([](const CLI::App*, const CLI::Error& e) {
+    return "rectilin: " + std::string(e.what()) + " (--help tells what there is)\n";
+  });
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    // CLI11 prints help to standard output with status 0, complaints to standard error.
-    return app.exit(e) == 0 ? 0 : 2;
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+      // CLI11 prints help to standard output with status 0, complaints to standard error.
+      if (app.exit(e) != 0) return 2;
+    }
+    check_output();
   } catch (const rectilin::ParameterError& e) {
     complain(e.what());
     return 2;
+  } catch (const std::filesystem::filesystem_error& e) {
+    complain(e.path1().string() + ": " + e.code().message());
+    return 1;
   } catch (const std::exception& e) {
     complain(e.what());
     return 1;

@@ -3,16 +3,18 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 
 #include "commands.h"
 #include "measure_row.h"
+#include "options.h"
 #include "rectilin/measure/source.h"
+#include "rectilin/measure/whole_file.h"
 #include "rectilin/optim/registry.h"
 #include "terminal.h"
-#include "threads.h"
 
 namespace rectilin::app {
 namespace {
@@ -50,13 +52,20 @@ std::unique_ptr<Optimizer> make_optimizer(const MeasureOptions& options) {
   return builtin_optimizers().make(spec.name, spec.settings);
 }
 
+/// A proof must not take the place of a mesh.
+void check_proof(const std::string& proof, const std::vector<std::string>& sources) {
+  if (sources.size() > 1) throw ParameterError("--proof is for one mesh at a time");
+  std::error_code ignored;  // if one of them does not exist they are different
+  if (format_of_extension(proof) || std::filesystem::equivalent(proof, sources.front(), ignored))
+    throw ParameterError("--proof " + proof + ": the proof would be written over a mesh, or look like one");
+}
+
 int measure(const MeasureOptions& options) {
   const auto optimizer = make_optimizer(options);
   RunSettings settings;
   settings.budget = options.budget;
   settings.seed = options.seed;
   settings.chart = &chart_by_name(options.domain);
-  settings.stop = stop_on_interrupt();
 
   std::vector<std::string> given;
   for (const std::string& source : options.sources) {
@@ -66,7 +75,8 @@ int measure(const MeasureOptions& options) {
   }
   const std::vector<std::string> sources = expand_folders(given);
   if (sources.empty()) throw MeshError("the list of files is empty");
-  if (!options.proof.empty() && sources.size() > 1) throw ParameterError("--proof is for one mesh at a time");
+  if (!options.proof.empty()) check_proof(options.proof, sources);
+  settings.stop = stop_on_interrupt();
 
   const auto limit = limit_threads(options.threads);
   const std::size_t at_once = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
@@ -76,23 +86,27 @@ int measure(const MeasureOptions& options) {
   Printer printer(sources, options.json);
   std::size_t next = 0;
   tbb::parallel_pipeline(
-      at_once,
-      tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order,
-                                          [&](tbb::flow_control& flow) {
-                                            if (next == sources.size() || settings.stop.stop_requested()) flow.stop();
-                                            return next++;
-                                          }) &
-          tbb::make_filter<std::size_t, std::shared_ptr<Row>>(tbb::filter_mode::parallel,
-                                                              [&](std::size_t i) {
-                                                                auto row = std::make_shared<Row>();
-                                                                tbb::this_task_arena::isolate([&] {
-                                                                  *row = measure_source(sources[i], *optimizer,
-                                                                                        settings, options.proof);
-                                                                });
-                                                                return row;
-                                                              }) &
-          tbb::make_filter<std::shared_ptr<Row>, void>(tbb::filter_mode::serial_in_order,
-                                                       [&](const std::shared_ptr<Row>& row) { printer.print(*row); }));
+      at_once, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order,
+                                                   [&](tbb::flow_control& flow) {
+                                                     if (next == sources.size() || settings.stop.stop_requested())
+                                                       flow.stop();
+                                                     return next++;
+                                                   }) &
+                   tbb::make_filter<std::size_t, std::shared_ptr<Row>>(
+                       tbb::filter_mode::parallel,
+                       [&](std::size_t i) {
+                         auto row = std::make_shared<Row>();
+                         tbb::this_task_arena::isolate(
+                             [&] { *row = measure_source(sources[i], *optimizer, settings, !options.proof.empty()); });
+                         return row;
+                       }) &
+                   tbb::make_filter<std::shared_ptr<Row>, void>(tbb::filter_mode::serial_in_order,
+                                                                [&](const std::shared_ptr<Row>& row) {
+                                                                  printer.print(*row);
+                                                                  if (!row->proof.empty())
+                                                                    write_whole_file(options.proof, row->proof);
+                                                                }));
+  if (next < sources.size()) complain("stopped: " + std::to_string(sources.size() - next) + " meshes are not measured");
   return printer.failed() > 0 || settings.stop.stop_requested() ? 1 : 0;
 }
 
@@ -110,8 +124,7 @@ void add_measure_command(CLI::App& app, int& status) {
       ->add_option("-o,--optimizer", options->optimizer,
                    "Optimizer, with parameters: ga?population=100 (see 'rectilin optimizers')")
       ->capture_default_str();
-  command->add_option("-g,--gap", options->gap, "Width to which certify encloses R (default: 1e-6)")
-      ->check(CLI::NonNegativeNumber);
+  command->add_option("-g,--gap", options->gap, "Width to which certify encloses R (default: 1e-6)")->check(width());
   command->add_option("-p,--proof", options->proof,
                       "File for a proof of the bounds, one mesh; 'rectilin verify' checks it");
   command->add_flag("--optima", options->optima, "Find all poses within the gap (shown with --json)");
@@ -121,10 +134,11 @@ void add_measure_command(CLI::App& app, int& status) {
                    "orientations), covering ([0,180]x[0,90]^2, all), zone (Rodrigues cube, all)")
       ->check(CLI::IsMember({"paper", "covering", "zone"}))
       ->capture_default_str();
-  command->add_option("-s,--seed", options->seed, "Seed of the random numbers")->capture_default_str();
-  command->add_option("-b,--budget", options->budget.evaluations, "Evaluations at most, per mesh (default: no limit)");
+  command->add_option("-s,--seed", options->seed, "Seed of the random numbers")->check(seed())->capture_default_str();
+  command->add_option("-b,--budget", options->budget.evaluations, "Evaluations at most, per mesh (default: no limit)")
+      ->check(count());
   command->add_option("--seconds", options->budget.seconds, "Seconds at most, per mesh (default: no limit)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   add_threads_option(*command, options->threads, "the answer is the same for any");
   command->add_flag("-j,--json", options->json, "One JSON object a line instead of the table");
   command->footer(

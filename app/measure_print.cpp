@@ -104,9 +104,9 @@ void Printer::print(const Row& row) {
     // Errors of files begin with the file's name; the others do not.
     complain(row.error.starts_with(row.name) ? row.error : row.name + ": " + row.error);
   }
-  if (json_) std::cout << to_json(row).dump() << '\n';
+  if (json_) std::cout << to_text(to_json(row)) << '\n';
   else if (row.error.empty()) std::cout << table_.row(cells(row)) << '\n';
-  std::cout << std::flush;
+  check_output();
   progress_.show(done_, row.name);
 }
 

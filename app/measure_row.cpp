@@ -1,7 +1,6 @@
 #include "measure_row.h"
 
 #include <cmath>
-#include <fstream>
 
 #include "rectilin/measure/projected_area.h"
 #include "rectilin/measure/source.h"
@@ -49,16 +48,9 @@ Json parallel_faces(const Mesh& mesh, const Rotation& rotation) {
   return lists;
 }
 
-void write_proof(const std::string& file, const Certificate& certificate, const Mesh& mesh) {
-  std::ofstream out(file);
-  out << rectilin::to_json(certificate, mesh_digest(mesh)).dump() << '\n';
-  if (!out.flush()) throw MeshError(file + ": cannot be written");
-}
-
 }  // namespace
 
-Row measure_source(const std::string& source, const Optimizer& optimizer, const RunSettings& settings,
-                   const std::string& proof) {
+Row measure_source(const std::string& source, const Optimizer& optimizer, const RunSettings& settings, bool prove) {
   Row row;
   row.name = source;
   try {
@@ -70,12 +62,12 @@ Row measure_source(const std::string& source, const Optimizer& optimizer, const 
     row.area = objective.vectors().area();
     row.value_error = 3 * objective.cut_bounds().error;
     if (const auto* certify = dynamic_cast<const Certify*>(&optimizer)) {
-      const CertifyInDetail detailed(*certify, !proof.empty());
+      const CertifyInDetail detailed(*certify, prove);
       row.run = run_optimizer(detailed, objective, settings);
       row.certified = detailed.result;
       if (row.certified) row.parallel_faces = parallel_faces(loaded.mesh, row.run.incumbent.rotation);
-      if (!proof.empty() && row.run.error.empty() && std::isfinite(row.run.merit))
-        write_proof(proof, detailed.certificate, loaded.mesh);
+      if (prove && row.run.error.empty() && std::isfinite(row.run.merit))
+        row.proof = to_text(rectilin::to_json(detailed.certificate, mesh_digest(loaded.mesh))) + '\n';
     } else {
       row.run = run_optimizer(optimizer, objective, settings);
     }

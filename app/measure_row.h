@@ -23,17 +23,18 @@ struct Row {
   double value_error = 0;  ///< rounding of the objective's values
   std::optional<CertifyResult> certified;
   Json parallel_faces;
+  std::string proof;  ///< the text of one, if it was asked for
 };
 
-/// Measures a source. If `proof` is not empty and the optimizer is Certify, a proof is written to that file.
-Row measure_source(const std::string& source, const Optimizer& optimizer, const RunSettings& settings,
-                   const std::string& proof);
+/// Measures a source; with a proof if `prove` is set and the optimizer is Certify.
+Row measure_source(const std::string& source, const Optimizer& optimizer, const RunSettings& settings, bool prove);
 
 /// Prints rows in the order of the sources, as they come, with progress on a terminal.
 class Printer {
  public:
   Printer(const std::vector<std::string>& sources, bool json);
 
+  /// Throws std::runtime_error if standard output cannot be written: nobody would get what is still to be measured.
   void print(const Row& row);
   std::size_t failed() const { return failed_; }
 

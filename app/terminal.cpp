@@ -84,6 +84,10 @@ std::string settings_table(const std::vector<Parameters::Description>& settings)
 
 void complain(const std::string& message) { std::cerr << "rectilin: " << message << '\n'; }
 
+void check_output() {
+  if (!std::cout.flush()) throw std::runtime_error("standard output: cannot be written (is the disk full?)");
+}
+
 std::stop_token stop_on_interrupt() {
   interrupt_source();  // made before the handler can ask for it
   std::signal(SIGINT, [](int) {

@@ -63,4 +63,7 @@ void complain(const std::string& message);
 /// A token that Ctrl-C (SIGINT) stops. The second Ctrl-C ends the program.
 std::stop_token stop_on_interrupt();
 
+/// Sends out what was printed to standard output; throws std::runtime_error if that fails.
+void check_output();
+
 }  // namespace rectilin::app

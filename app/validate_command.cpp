@@ -1,16 +1,16 @@
 // rectilin validate: the paper's claims, tested.
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 
 #include "commands.h"
+#include "options.h"
 #include "rectilin/experiments/claims.h"
 #include "rectilin/measure/source.h"
+#include "rectilin/measure/whole_file.h"
 #include "rectilin/optim/run_record.h"
 #include "terminal.h"
-#include "threads.h"
 
 namespace rectilin::app {
 namespace {
@@ -30,16 +30,13 @@ std::string write_counterexample(const ClaimResult& result, const std::filesyste
   write_mesh(mesh, result.decisive.mesh ? *result.decisive.mesh : load_mesh(result.decisive.where).mesh);
   const Eigen::Vector3d angles = euler_from_rotation(result.decisive.rotation);
   const std::string file = (folder / (result.claim->id + ".json")).string();
-  std::ofstream out(file);
-  out << Json{{"claim", result.claim->id},
-              {"where", result.decisive.where},
-              {"margin", result.decisive.margin},
-              {"rotation", to_json(result.decisive.rotation)},
-              {"angles", {angles[0], angles[1], angles[2]}},
-              {"note", result.decisive.note}}
-             .dump(2)
-      << '\n';
-  if (!out.flush()) throw MeshError(file + ": cannot be written");
+  const Json finding = {{"claim", result.claim->id},
+                        {"where", result.decisive.where},
+                        {"margin", result.decisive.margin},
+                        {"rotation", to_json(result.decisive.rotation)},
+                        {"angles", {angles[0], angles[1], angles[2]}},
+                        {"note", result.decisive.note}};
+  write_whole_file(file, to_text(finding, 2) + '\n');
   return mesh;
 }
 
@@ -129,7 +126,7 @@ int run_validation(ValidateOptions options) {
     list.push_back(to_json(result, mesh));
   }
   for (const std::string& error : errors) complain(error);
-  if (options.json) std::cout << list.dump(2) << '\n';
+  if (options.json) std::cout << to_text(list, 2) << '\n';
   else print_table(validation);
 
   for (const ClaimResult& result : validation.results)
@@ -150,6 +147,7 @@ void add_validate_command(CLI::App& app, int& status) {
       ->delimiter(',')
       ->allow_extra_args(false);
   command->add_option("-s,--seed", options->settings.seed, "Seed of the random rotations and runs")
+      ->check(seed())
       ->capture_default_str();
   command
       ->add_option("-O,--out", options->out, "Folder for counterexamples, made if there are any: a mesh and a rotation")

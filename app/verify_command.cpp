@@ -15,8 +15,7 @@ namespace {
 int verify(const std::string& proof, const std::string& source) {
   std::ifstream in(proof, std::ios::binary);
   std::ostringstream text;
-  text << in.rdbuf();
-  if (!in) throw MeshError(proof + ": cannot be read");
+  if (!(text << in.rdbuf())) throw MeshError(proof + ": cannot be read");
   const Verdict verdict = verify_certificate(text.str(), load_mesh(source).mesh);
   if (!verdict.accepted) {
     std::cout << "refused: " << verdict.reason << '\n';

@@ -7,6 +7,7 @@
 
 #include "rectilin/experiments/csv.h"
 #include "rectilin/experiments/figure.h"
+#include "rectilin/measure/whole_file.h"
 #include "report_results.h"
 
 namespace rectilin::bench {
@@ -54,14 +55,14 @@ void report(const std::filesystem::path& file, const std::filesystem::path& fold
   const Results results(file);
   std::filesystem::create_directories(folder);
   const std::string ratios = summary(results).dump(2) + "\n";
-  write_text(folder / "summary.json", ratios);
-  write_text(folder / "table.md", table(results));
+  write_whole_file(folder / "summary.json", ratios);
+  write_whole_file(folder / "table.md", table(results));
   const std::string aims = targets(summary(results));
-  write_text(folder / "targets.md", aims);
+  write_whole_file(folder / "targets.md", aims);
   std::cout << ratios << aims;
   if (earlier != nullptr) {
     const std::string text = comparison(results, Results(earlier));
-    write_text(folder / "compare.md", text);
+    write_whole_file(folder / "compare.md", text);
     std::cout << text;
   }
   draw_time(results, folder);

@@ -16,12 +16,19 @@ expect 0 '"name":"box"' "$rectilin" shapes --json
 expect 0 '^shape:box .* 3 .* 1\.0000000000' "$rectilin" measure -o grid shape:box
 expect 0 '"directions":5.*"lower":null,"upper":null.*"rotation":\[\[' "$rectilin" measure --json -o ga shape:pyramid
 expect 0 '"lower":0\.42705.*"upper":0\.42705' "$rectilin" measure --json shape:pyramid
-expect 1 "no optimizer 'gaa'" "$rectilin" measure -o gaa shape:box
+expect 2 "no optimizer 'gaa'" "$rectilin" measure -o gaa shape:box
 expect 1 "no parameter 'size'" "$rectilin" measure 'shape:box?size=1'
 expect 1 'missing.off: ' "$rectilin" measure missing.off
 
 expect 0 '"outcome":"budget"' "$rectilin" measure --json -o random --seconds 0.05 shape:box
 expect 2 'seconds' "$rectilin" measure --seconds -1 shape:box
+
+# Numbers that are none, or too large, or of the wrong sign: one line.
+for wrong in '--threads 0' '--threads 2000000000' '--gap -1' '--gap nan' '--seconds nan' '--budget -1' '--seed -1'; do
+  expect 2 'is not a' "$rectilin" measure $wrong shape:box
+  [ "$(wc -l <err)" -eq 1 ] || fail "one line for $wrong"
+done
+expect 0 '"evaluations":10000' "$rectilin" measure --json -o 'ga?generations=0' shape:box
 
 # A bad file costs its own row.
 "$rectilin" convert shape:pyramid good.off || fail 'the command itself'
@@ -40,9 +47,23 @@ expect 0 'folder/below/p.stl' "$rectilin" measure --json folder
 [ "$(grep -o '"rectilinearity":[0-9.]*' out | cut -c1-27 | sort -u | wc -l)" -eq 1 ] ||
   fail 'formats agree'
 mkdir empty
-expect 1 'empty: no mesh file' "$rectilin" measure empty
+ln -s loop.off folder/loop.off
+expect 1 'empty: no mesh file' "$rectilin" measure empty folder
+[ "$(wc -l <out)" -eq 5 ] || fail 'files beside an empty folder and a link to nowhere'
+printf 'folder/below/p.off\nno\xff.off\n' | "$rectilin" measure --json - >out 2>err
+[ $? -eq 1 ] && [ "$(wc -l <out)" -eq 2 ] || fail 'a name that is not UTF-8 costs its own row'
+
+# What cannot be written is an error, and nothing half written stays.
 expect 1 'unwritable' "$rectilin" convert shape:box unwritable/box.off
 expect 1 'box.txt' "$rectilin" convert shape:box box.txt
+(ulimit -f 1; trap '' XFSZ; "$rectilin" convert 'shape:blob?faces=2000' half.obj 2>err)
+[ $? -eq 1 ] && grep -q 'half.obj: cannot be written' err && [ -z "$(ls half* 2>/dev/null)" ] || fail 'half a mesh'
+if [ -e /dev/full ]; then
+  for words in 'measure shape:box' 'measure --json shape:box' optimizers 'validate --list' --help; do
+    "$rectilin" $words >/dev/full 2>err
+    [ $? -eq 1 ] && grep -q 'standard output: cannot be written' err || fail "$words on a full disk"
+  done
+fi
 
 # Same seed, same bits, for any number of threads; another seed, another run.
 run() { "$rectilin" measure --json -o 'ga?generations=20' "$@" 'shape:blob?faces=5000' | grep -o '"digest":"[0-9a-f]*"'; }
@@ -57,8 +78,13 @@ expect 1 'refused: .*another mesh' "$rectilin" verify proof.json shape:box
 sed 's/"lower":1\.236/"lower":1.237/' proof.json >changed.json
 expect 1 'refused: .*bound' "$rectilin" verify changed.json good.off
 expect 1 'missing.json' "$rectilin" verify missing.json good.off
-expect 1 'one mesh at a time' "$rectilin" measure --proof proof.json good.off shape:box
+expect 2 'one mesh at a time' "$rectilin" measure --proof proof.json good.off shape:box
 expect 1 'unwritable' "$rectilin" measure --proof unwritable/p.json good.off
+grep -q '^good.off' out || fail 'the row of a proof that cannot be written'
+cp good.off kept.off
+expect 2 'over a mesh' "$rectilin" measure --proof good.off good.off
+expect 2 'over a mesh' "$rectilin" measure --proof folder/below/p.stl shape:box
+cmp -s good.off kept.off || fail 'the mesh is as it was'
 expect 1 'budget ends' "$rectilin" measure --budget 1 good.off
 
 finish command

@@ -5,8 +5,8 @@
 
 expect 0 'ga@paper' "$rectilin" compare --help
 expect 2 'source' "$rectilin" compare
-expect 1 "no optimizer 'gaa'" "$rectilin" compare shape:box -o gaa
-expect 1 'given twice' "$rectilin" compare shape:box -o ga,ga
+expect 2 "no optimizer 'gaa'" "$rectilin" compare shape:box -o gaa
+expect 2 'given twice' "$rectilin" compare shape:box -o ga,ga
 
 small=("$rectilin" compare shape:box shape:pyramid -o 'ga,random,tight=grid?keep=1@zone' -k 3 -O small -b)
 expect 0 'small/index.html' "${small[@]}" 300
@@ -28,7 +28,7 @@ done
 sum=$(cksum <small/runs.jsonl)
 expect 0 'small/index.html' "${small[@]}" 300
 [ "$(cksum <small/runs.jsonl)" = "$sum" ] || fail "finished runs are not run again"
-expect 1 'another plan \(budget 300, not 301\)' "${small[@]}" 301
+expect 2 'another plan \(budget 300, not 301\)' "${small[@]}" 301
 
 # Domains as a factor.
 expect 0 'domains/index.html' "$rectilin" compare shape:pyramid -o ga,random --domains paper,covering -k 2 -b 200 -O domains
@@ -37,6 +37,17 @@ grep -q 'What a domain costs' domains/index.html && grep -q 'ga@paper' domains/i
 # A mesh that cannot be read costs its own row and the status.
 expect 1 'missing.off' "$rectilin" compare missing.off shape:box -o random -k 2 -b 100 -O missing
 grep -q '"shape:box"' missing/summary.json || fail "the other mesh"
+
+expect 1 'missing.off' "$rectilin" compare missing.off -o random -k 2 -b 100 -O nothing-measured
+[ "$(wc -l <err)" -eq 1 ] || fail "one line if no mesh can be read"
+
+# Areas out of range; a certificate that is none, before anything is written.
+printf 'OFF\n4 4 0\n0 0 0\n1e200 0 0\n0 1e200 0\n0 0 1e200\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n' >huge.off
+expect 0 'huge/index.html' "$rectilin" compare huge.off -o random -k 2 -b 100 -O huge
+expect 0 'huge/index.html' "$rectilin" compare huge.off -o random -k 2 -b 100 -O huge
+expect 2 "no optimizer 'nope'" "$rectilin" compare shape:box -o random -k 2 -b 100 -O fresh -c nope
+expect 2 'proves nothing' "$rectilin" compare shape:box -o random -k 2 -b 100 -O fresh -c ga
+[ ! -e fresh ] || fail "nothing of a wrong command"
 
 # Without gnuplot: one line, and all but the pictures.
 mkdir nothing
@@ -47,6 +58,7 @@ expect 0 'gnuplot is not installed' env PATH="$work/nothing" "$rectilin" compare
 "$rectilin" compare shape:box -o random -k 100000 -b 20000 -O long >out 2>err &
 pid=$!
 until [ -s long/runs.jsonl ] || ! kill -0 $pid 2>/dev/null; do sleep 0.05; done
+expect 1 'another program is writing here' "$rectilin" compare shape:box -o random -k 100000 -b 20000 -O long
 kill -INT $pid
 wait $pid
 [ $? -eq 1 ] && [ "$(wc -l <err)" -eq 1 ] && grep -q 'the same command goes on' err || fail "interrupted"

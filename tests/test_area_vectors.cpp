@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "catch.h"
 #include "random_meshes.h"
@@ -80,6 +81,23 @@ TEST_CASE("area comes back in the mesh's unit", "[area_vectors]") {
   for (const double scale : {0x1p-400, 0x1p+400, 1e-120, 1e120}) {
     const Mesh scaled = test::transformed(mesh, [&](const Vector3& v) -> Vector3 { return v * scale; });
     REQUIRE(area_vectors(scaled).area() == Approx(area * scale * scale).epsilon(1e-13));
+  }
+}
+
+TEST_CASE("needles are kept apart however thin they are", "[area_vectors]") {
+  for (const double width : {1e-3, 1e-75, 1e-100, 1e-160, 1e-250}) {
+    INFO(width);
+    Mesh fan;  // three triangles round an edge of length 1
+    fan.vertices = {{0, 0, 0}, {1, 0, 0}};
+    for (int i = 0; i < 3; ++i) {
+      const double angle = 2 * std::numbers::pi * i / 3;
+      fan.vertices.emplace_back(0, width * std::cos(angle), width * std::sin(angle));
+      fan.triangles.push_back({0, 1, static_cast<std::uint32_t>(2 + i)});
+    }
+    const AreaVectors vectors = area_vectors(fan);
+    REQUIRE(vectors.size() == 3);
+    REQUIRE(vectors.area() == Approx(1.5 * width).epsilon(1e-12));
+    REQUIRE(std::hypot(vectors.x[0], vectors.y[0], vectors.z[0]) == Approx(vectors.total / 3).epsilon(1e-12));
   }
 }
 

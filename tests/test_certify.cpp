@@ -161,6 +161,20 @@ TEST_CASE("certify tells where the pose is not unique", "[certify]") {
   REQUIRE(std::ranges::any_of(round, [](const Optimum& o) { return o.kind == Optimum::Kind::kContinuum; }));
 }
 
+TEST_CASE("the list of optima holds every frame within a wide gap", "[certify]") {
+  // A box turned by t about an edge has P = (1 + 2 (cos t + sin t)) / 3 in units of S: one minimum, and frames within
+  // the gap that reach further than 0.02 radians, all in its ball.
+  const auto wide = certify_vectors(shape("box"), {.gap = 0.1, .optima = true}).result.optima;
+  REQUIRE(wide.size() == 1);
+  REQUIRE(wide[0].kind == Optimum::Kind::kPoint);
+  // Where the budget ends before cells are small, nothing is called a continuum.
+  for (const std::uint64_t evaluations : {110u, 150u, 200u, 300u}) {
+    const auto cut_short =
+        certify_vectors(shape("pyramid"), {.gap = 1e-6, .optima = true}, {.evaluations = evaluations});
+    for (const Optimum& o : cut_short.result.optima) REQUIRE(o.kind != Optimum::Kind::kContinuum);
+  }
+}
+
 TEST_CASE("polishing ends on faces parallel to at least two axes", "[certify]") {
   const ProjectedArea objective(shape("soup?faces=200"));
   Evaluator evaluator(objective);

@@ -172,7 +172,7 @@ TEST_CASE("minorants on caps stay below h", "[certify]") {
       for (std::size_t i = 0; i < generators.size(); ++i) sum += std::abs(u.dot(generators[i]));
       return sum;
     };
-    const SphereMinorants minorants(generators, 4, 1e-4);
+    const SphereMinorants minorants(generators, 4, 1e-4, [] { return false; });
     for (int i = 0; i < 500; ++i) {
       const Vector3 u = test::random_vector(random).normalized();
       const double angle = random.uniform(0, 0.7);

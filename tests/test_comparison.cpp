@@ -70,13 +70,13 @@ TEST_CASE("a list of optimizers") {
 
 TEST_CASE("a plan is checked and read back") {
   Plan plan = small_plan();
-  CHECK_NOTHROW(check(plan));
+  CHECK_NOTHROW(check(plan, test_registry()));
   CHECK(plan_from_json(to_json(plan)) == plan);
   plan.entries.push_back(plan.entries.front());
-  CHECK_THROWS_AS(check(plan), ParameterError);
+  CHECK_THROWS_AS(check(plan, test_registry()), ParameterError);
   plan = small_plan();
   plan.meshes.push_back("shape:box");
-  CHECK_THROWS_AS(check(plan), ParameterError);
+  CHECK_THROWS_AS(check(plan, test_registry()), ParameterError);
 }
 
 TEST_CASE("an instance depends on seed, mesh and run") {

@@ -2,6 +2,7 @@
 #include "catch.h"
 #include "comparison_fixtures.h"
 #include "rectilin/experiments/figure.h"
+#include "rectilin/measure/whole_file.h"
 
 namespace rectilin {
 namespace {
@@ -48,7 +49,7 @@ TEST_CASE("text in figures is taken as it is") {
 
 TEST_CASE("a figure that cannot be drawn is an error of one line") {
   const test::ScratchFolder folder;
-  write_text(folder.path() / "bad.gp", "plot 'missing.csv'\n");
+  write_whole_file(folder.path() / "bad.gp", "plot 'missing.csv'\n");
   try {
     draw(folder.path(), "bad");
     FAIL("drawn");

@@ -14,6 +14,7 @@
 
 #include "catch.h"
 #include "rectilin/measure/mesh_io.h"
+#include "rectilin/optim/random.h"
 
 using namespace rectilin;
 using namespace std::string_literals;
@@ -357,19 +358,47 @@ TEST_CASE("triangles of a planar polygon have its area") {
   }
 }
 
-TEST_CASE("large polygons take time in proportion") {
-  // A million corners on a circle, then a star of as many: the one is a fan, the other exhausts the
-  // budget for ears, or not; either way the test ends and no corner is lost.
-  constexpr int kCorners = 50000;
-  for (const double inner : {1.0, 0.5}) {
-    std::string text, face = "f";
-    for (int i = 0; i < kCorners; ++i) {
-      const double angle = 2 * std::numbers::pi * i / kCorners, radius = i % 2 == 0 ? 1.0 : inner;
-      text += "v " + std::to_string(radius * std::cos(angle)) + " " + std::to_string(radius * std::sin(angle)) + " 0\n";
-      face.append(" ").append(std::to_string(i + 1));
+TEST_CASE("large polygons keep their areas") {
+  const auto points = [](int count, auto place) {
+    std::vector<std::pair<double, double>> corners;
+    for (int i = 0; i < count; ++i) corners.push_back(place(i));
+    return corners;
+  };
+  const auto exact = [](const std::vector<std::pair<double, double>>& corners) {
+    double twice = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const auto& [x, y] = corners[i];
+      const auto& [u, v] = corners[(i + 1) % corners.size()];
+      twice += x * v - u * y;
     }
-    CHECK(obj(text + face).mesh.triangles.size() == kCorners - 2);
+    return std::abs(twice) / 2;
+  };
+  constexpr int kCorners = 50000;
+  constexpr double kTurn = 2 * std::numbers::pi;
+  const auto polar = [](double radius, double angle) {
+    return std::pair(radius * std::cos(angle), radius * std::sin(angle));
+  };
+  const auto circle = points(kCorners, [&](int i) { return polar(1, kTurn * i / kCorners); });
+  const auto star = points(kCorners, [&](int i) { return polar(i % 2 == 0 ? 1 : 0.5, kTurn * i / kCorners); });
+  // The wall of a spiral of 50 turns: out on one side, back on the other.
+  const auto spiral = points(20000, [&](int i) {
+    const double along = i < 10000 ? i / 10000.0 : (19999 - i) / 10000.0;
+    return polar((i < 10000 ? 1 : 1.4) + 50 * along, 50 * kTurn * along);
+  });
+  for (const auto& corners : {circle, star, spiral}) {
+    const Mesh mesh = obj(polygon(corners)).mesh;
+    CHECK(mesh.triangles.size() == corners.size() - 2);
+    CHECK(area(mesh) == Approx(exact(corners)).epsilon(1e-6));
   }
+}
+
+TEST_CASE("a polygon that crosses itself has triangles, or too many corners for them") {
+  Random random(1);
+  std::vector<std::pair<double, double>> corners;
+  for (int i = 0; i < 20000; ++i) corners.emplace_back(random.uniform(), random.uniform());
+  CHECK(error(obj, polygon(corners)) == "m: polygon 1 has 20000 corners and is too intricate to be cut into triangles");
+  corners.resize(200);
+  CHECK(obj(polygon(corners)).mesh.triangles.size() == 198);
 }
 
 TEST_CASE("a lying header costs no memory") {

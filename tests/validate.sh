@@ -4,7 +4,7 @@
 
 expect 0 'eq-28' "$rectilin" validate --help
 expect 0 '^theorem-2-1 ' "$rectilin" validate --list
-expect 1 "no claim 'fermat'" "$rectilin" validate --claims fermat
+expect 2 "no claim 'fermat'" "$rectilin" validate --claims fermat
 
 # Everything, on the built-in shapes: what should hold does, and the status says so.
 expect 0 '^claim' "$rectilin" validate

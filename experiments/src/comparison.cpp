@@ -13,12 +13,13 @@
 #include <set>
 #include <tuple>
 
-#include "rectilin/experiments/csv.h"
+#include "folder_lock.h"
 #include "rectilin/experiments/journal.h"
 #include "rectilin/experiments/provenance.h"
 #include "rectilin/measure/projected_area.h"
 #include "rectilin/measure/source.h"
 #include "rectilin/measure/verify.h"
+#include "rectilin/measure/whole_file.h"
 #include "rectilin/optim/run_record.h"
 
 namespace rectilin {
@@ -27,10 +28,9 @@ namespace {
 namespace fs = std::filesystem;
 
 void store_plan(const Plan& plan, const fs::path& folder) {
-  fs::create_directories(folder);
   const fs::path file = folder / "plan.json";
   if (!fs::exists(file)) {
-    write_text(file, to_json(plan).dump(2) + '\n');
+    write_whole_file(file, to_text(to_json(plan), 2) + '\n');
     return;
   }
   Plan stored;
@@ -239,7 +239,9 @@ class Comparison {
 
 ComparisonOutcome run_comparison(const Plan& plan, const fs::path& folder, const Registry& registry,
                                  const ComparisonSettings& settings) {
-  check(plan);
+  check(plan, registry);
+  fs::create_directories(folder);
+  const FolderLock lock(folder);
   store_plan(plan, folder);
   record_start(plan, registry, folder, settings.command_line);
   const std::vector<Json> meshes = recover_journal(folder / "meshes.jsonl");

@@ -5,6 +5,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "rectilin/measure/whole_file.h"
+
 namespace rectilin {
 
 Csv::Csv(std::vector<std::string> columns) : columns_(std::move(columns)) { line(columns_); }
@@ -36,16 +38,6 @@ void Csv::line(const std::vector<std::string>& cells) {
   text_ += '\n';
 }
 
-void Csv::write(const std::filesystem::path& file) const { write_text(file, text_); }
-
-void write_text(const std::filesystem::path& file, const std::string& text) {
-  const std::filesystem::path begun = file.string() + ".new";
-  {
-    std::ofstream out(begun, std::ios::binary);
-    out << text << std::flush;
-    if (!out) throw std::runtime_error(file.string() + ": cannot be written");
-  }
-  std::filesystem::rename(begun, file);
-}
+void Csv::write(const std::filesystem::path& file) const { write_whole_file(file, text_); }
 
 }  // namespace rectilin

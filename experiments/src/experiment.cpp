@@ -3,6 +3,7 @@
 #include "figures/experiments.h"
 #include "rectilin/experiments/csv.h"
 #include "rectilin/experiments/provenance.h"
+#include "rectilin/measure/whole_file.h"
 
 namespace rectilin {
 
@@ -35,7 +36,7 @@ ExperimentOutcome run_experiment(const Experiment& experiment, const Json& setti
   std::vector<std::string> names;
   for (const Sheet& sheet : result.sheets) {
     sheet.data.write(folder / (sheet.name + ".csv"));
-    write_text(folder / (sheet.name + ".svg"), sheet.svg);
+    write_whole_file(folder / (sheet.name + ".svg"), sheet.svg);
     pictures.push_back({{"name", sheet.name}, {"caption", sheet.caption}, {"width", sheet.width}});
   }
   for (const Plot& plot : result.plots) {
@@ -55,7 +56,7 @@ ExperimentOutcome run_experiment(const Experiment& experiment, const Json& setti
                     {"pictures", pictures},
                     {"provenance", provenance(command_line)}};
   // Names of files may be in no encoding at all: what is not UTF-8 is replaced.
-  write_text(folder / (experiment.name + ".json"), all.dump(1, ' ', false, Json::error_handler_t::replace) + '\n');
+  write_whole_file(folder / (experiment.name + ".json"), to_text(all, 1) + '\n');
   return {result.says, result.errors, draw_all(folder, names)};
 }
 

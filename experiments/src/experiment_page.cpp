@@ -4,6 +4,7 @@
 #include "html.h"
 #include "rectilin/experiments/csv.h"
 #include "rectilin/experiments/experiment.h"
+#include "rectilin/measure/whole_file.h"
 
 namespace rectilin {
 namespace {
@@ -39,7 +40,7 @@ std::string section(const Json& experiment, const fs::path& folder) {
                      paragraph(escape(experiment.at("says").get<std::string>())) + html::side_by_side(pictures);
   for (const Json& error : experiment.at("errors")) text += paragraph(escape(error.get<std::string>()));
   return text + html::details("Settings, command, machine, versions",
-                              "<pre>" + escape(record(experiment).dump(2)) + "</pre>\n" +
+                              "<pre>" + escape(to_text(record(experiment), 2)) + "</pre>\n" +
                                   paragraph("All numbers: " + link(name + ".json", name + ".json")));
 }
 
@@ -68,8 +69,8 @@ void write_experiment_page(const fs::path& folder) {
     contents += "<li>" + link("#" + experiment.name, experiment.name) + ": " + escape(experiment.title) + "</li>\n";
     sections += section(found, folder);
   }
-  write_text(folder / "index.html", html::page("Rectilinearity: the experiments",
-                                               introduction() + "<ul>\n" + contents + "</ul>\n" + sections));
+  write_whole_file(folder / "index.html", html::page("Rectilinearity: the experiments",
+                                                     introduction() + "<ul>\n" + contents + "</ul>\n" + sections));
 }
 
 }  // namespace rectilin

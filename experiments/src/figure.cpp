@@ -17,6 +17,8 @@
 #include <set>
 #include <sstream>
 
+#include "rectilin/measure/whole_file.h"
+
 extern char** environ;
 
 namespace rectilin {
@@ -132,8 +134,7 @@ std::string single(const std::string& title, const Panel& panel, Figure::Size si
 std::string grid(const std::string& title, const std::vector<Panel>& panels, int columns, Figure::Size size) {
   std::ostringstream text;
   text << terminal(size, 12) << "set multiplot layout " << rows_of(panels.size(), columns) << ',' << columns
-       << " title " << quoted(title)
-       << " noenhanced\nunset key\nset tmargin 2.6\nset bmargin 3.3\nset rmargin 2\n"
+       << " title " << quoted(title) << " noenhanced\nunset key\nset tmargin 2.6\nset bmargin 3.3\nset rmargin 2\n"
        << "set grid lc rgb '#e8e8e8' lw 1\nset border 3\nset tics nomirror\n";
   for (const Panel& panel : panels)
     text << "set title " << quoted(shortened(panel.title, kPanelTitle)) << " noenhanced offset 0,-0.5\n"
@@ -233,7 +234,7 @@ Figure::Figure(Csv data, const HeatMap& map)
 
 void Figure::write(const std::filesystem::path& folder, const std::string& name) const {
   data_.write(folder / (name + ".csv"));
-  write_text(folder / (name + ".gp"), with_name(commands_, name));
+  write_whole_file(folder / (name + ".gp"), with_name(commands_, name));
 }
 
 void draw(const std::filesystem::path& folder, const std::string& name) {

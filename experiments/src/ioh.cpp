@@ -5,6 +5,7 @@
 
 #include "rectilin/experiments/csv.h"
 #include "rectilin/experiments/plots.h"
+#include "rectilin/measure/whole_file.h"
 
 namespace rectilin {
 namespace {
@@ -69,8 +70,8 @@ void export_function(const Results& results, std::size_t mesh, const Entry& entr
                      {"attributes", {"evaluations", "raw_y"}},
                      {"scenarios", Json::array({scenario})}};
   std::filesystem::create_directories(folder / data_folder);
-  write_text(folder / data_file, data);
-  write_text(folder / ("IOHprofiler_" + id + "_" + name + ".json"), info.dump(1, '\t') + '\n');
+  write_whole_file(folder / data_file, data);
+  write_whole_file(folder / ("IOHprofiler_" + id + "_" + name + ".json"), info.dump(1, '\t') + '\n');
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ Journal::Journal(const std::filesystem::path& file) : file_(file), stream_(file,
 }
 
 void Journal::append(const Json& value) {
-  stream_ << value.dump() + '\n' << std::flush;
+  stream_ << to_text(value) + '\n' << std::flush;
   if (!stream_) throw std::runtime_error(file_.string() + ": cannot be written (is the disk full?)");
 }
 

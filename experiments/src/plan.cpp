@@ -22,6 +22,9 @@ std::vector<std::string> split_list(const std::string& text) {
   return items;
 }
 
+/// Can it be stored and read back?
+bool is_utf8(const std::string& text) { return Json::parse(to_text(Json(text))).get<std::string>() == text; }
+
 }  // namespace
 
 LabelledSpec split_label(std::string_view text) {
@@ -55,16 +58,20 @@ std::vector<Entry> parse_entries(const std::vector<std::string>& lists, const st
   return entries;
 }
 
-void check(const Plan& plan) {
+void check(const Plan& plan, const Registry& registry) {
   if (plan.meshes.empty()) throw ParameterError("there is no mesh to compare on");
   if (plan.entries.empty()) throw ParameterError("there is no optimizer to compare");
   if (plan.runs < 1) throw ParameterError("a comparison needs at least one run");
   std::set<std::string> seen;
   for (const std::string& mesh : plan.meshes)
     if (!seen.insert(mesh).second) throw ParameterError("the mesh '" + mesh + "' is given twice");
+    else if (!is_utf8(mesh)) throw ParameterError("the mesh '" + mesh + "' has no name in UTF-8");
   seen.clear();
   for (const Entry& entry : plan.entries)
     if (!seen.insert(entry.label).second) throw ParameterError("the optimizer '" + entry.label + "' is given twice");
+    else if (!is_utf8(entry.label)) throw ParameterError("the optimizer '" + entry.label + "' has no name in UTF-8");
+  if (!registry.make(plan.certificate)->capabilities().certifies)
+    throw ParameterError("'" + plan.certificate + "' proves nothing: no certificate");
 }
 
 Json to_json(const Plan& plan) {
@@ -90,7 +97,8 @@ Plan plan_from_json(const Json& json) {
 std::string difference(const Plan& stored, const Plan& asked) {
   const Json a = to_json(stored), b = to_json(asked);
   for (const auto& [key, value] : a.items())
-    if (value != b[key]) return value.is_array() ? "other " + key : key + " " + value.dump() + ", not " + b[key].dump();
+    if (value != b[key])
+      return value.is_array() ? "other " + key : key + " " + to_text(value) + ", not " + to_text(b[key]);
   return "no difference";
 }
 

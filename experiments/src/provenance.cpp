@@ -17,6 +17,7 @@
 #endif
 
 #include "rectilin/experiments/csv.h"
+#include "rectilin/measure/whole_file.h"
 
 namespace rectilin {
 namespace {
@@ -90,7 +91,7 @@ void record_start(const Plan& plan, const Registry& registry, const std::filesys
                           {"domain", optimizer->capabilities().uses_chart ? Json(entry.domain) : Json(nullptr)}});
   }
   const Json all = {{"plan", to_json(plan)}, {"optimizers", optimizers}, {"starts", starts}};
-  write_text(file, all.dump(2) + '\n');
+  write_whole_file(file, to_text(all, 2) + '\n');
 }
 
 }  // namespace rectilin

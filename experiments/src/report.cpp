@@ -8,6 +8,7 @@
 #include "rectilin/experiments/ioh.h"
 #include "rectilin/experiments/plots.h"
 #include "rectilin/experiments/summary.h"
+#include "rectilin/measure/whole_file.h"
 
 namespace rectilin {
 namespace {
@@ -140,14 +141,14 @@ std::vector<std::string> write_report(const fs::path& folder) {
   meshes_table(results).write(folder / "meshes.csv");
   targets_table(results, summary).write(folder / "ert.csv");
   tests_table(results, summary).write(folder / "tests.csv");
-  write_text(folder / "summary.json", to_json(summary, results).dump(1) + '\n');
+  write_whole_file(folder / "summary.json", to_text(to_json(summary, results), 1) + '\n');
   export_ioh(results, folder / "ioh");
 
   Gallery gallery(folder / "plots");
   const PageFigures figures = add_figures(results, summary, gallery);
   std::vector<std::string> troubles = gallery.draw_all();
-  write_text(folder / "index.html",
-             comparison_page(results, summary, figures, read_json(folder / "provenance.json"), folder));
+  write_whole_file(folder / "index.html",
+                   comparison_page(results, summary, figures, read_json(folder / "provenance.json"), folder));
   return troubles;
 }
 

@@ -136,8 +136,11 @@ Results load_results(const fs::path& folder) {
     mesh.title = title[i];
     results.meshes.push_back(std::move(mesh));
   }
-  for (Json& line : recover_journal(folder / "runs.jsonl"))
-    results.runs.push_back(run_from_json(std::move(line), results));
+  std::set<std::tuple<std::size_t, std::size_t, int>> seen;
+  for (Json& line : recover_journal(folder / "runs.jsonl")) {
+    RunResult run = run_from_json(std::move(line), results);
+    if (seen.emplace(run.mesh, run.entry, run.run).second) results.runs.push_back(std::move(run));
+  }
   std::ranges::sort(results.runs, {}, [](const RunResult& r) { return std::tuple(r.mesh, r.entry, r.run); });
   std::vector<double> best;  // a run can beat the rotation that came with the certificate
   for (const MeshResult& mesh : results.meshes) best.push_back(mesh.lower);

@@ -5,7 +5,6 @@
 #include <new>
 #include <optional>
 
-#include "mesh_formats.h"
 #include "mesh_soup.h"
 
 namespace rectilin {

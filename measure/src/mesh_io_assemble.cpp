@@ -75,11 +75,13 @@ std::vector<std::uint32_t> compact_vertices(PolygonSoup& soup, MeshReport& repor
 }
 
 // Triangulates all polygons that can be kept. `target` is where their vertices have gone.
-std::vector<Triangle> triangulate_all(PolygonSoup& soup, const std::vector<std::uint32_t>& target, MeshReport& report) {
+std::vector<Triangle> triangulate_all(PolygonSoup& soup, const std::vector<std::uint32_t>& target, MeshReport& report,
+                                      const std::string& name) {
   std::vector<Triangle> triangles;
   PolygonTriangulator triangulator;
-  std::size_t begin = 0;
+  std::size_t begin = 0, number = 0;
   for (const std::size_t end : soup.ends) {
+    ++number;
     const std::span polygon(soup.corners.data() + begin, end - begin);
     begin = end;
     for (std::uint32_t& corner : polygon) corner = target[corner];
@@ -89,7 +91,9 @@ std::vector<Triangle> triangulate_all(PolygonSoup& soup, const std::vector<std::
       ++report.dropped_nonfinite;
     } else {
       report.triangulated += polygon.size() > 3;
-      triangulator.append(soup.vertices, polygon, triangles);
+      if (!triangulator.append(soup.vertices, polygon, triangles))
+        throw MeshError(name + ": polygon " + std::to_string(number) + " has " + std::to_string(polygon.size()) +
+                        " corners and is too intricate to be cut into triangles");
     }
   }
   return triangles;
@@ -131,7 +135,7 @@ LoadedMesh assemble(PolygonSoup soup, const std::string& name) {
   report.vertices = soup.vertices.size();
   report.polygons = soup.ends.size();
   const std::vector<std::uint32_t> target = compact_vertices(soup, report);
-  loaded.mesh.triangles = triangulate_all(soup, target, report);
+  loaded.mesh.triangles = triangulate_all(soup, target, report, name);
   loaded.mesh.vertices = std::move(soup.vertices);
 
   if (loaded.mesh.triangles.empty()) {

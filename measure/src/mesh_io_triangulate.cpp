@@ -4,16 +4,6 @@
 #include "mesh_triangulate.h"
 
 namespace rectilin {
-namespace {
-
-// Twice the signed area of a triangle, positive if counterclockwise.
-double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-  const Eigen::Vector2d p = b - a, q = c - a;
-  return p.x() * q.y() - p.y() * q.x();
-}
-
-}  // namespace
-
 double unit_scale(const Eigen::AlignedBox3d& box) {
   // Halves, since the full side may overflow. The bound keeps the scale finite for the smallest
   // boxes.
@@ -23,15 +13,15 @@ double unit_scale(const Eigen::AlignedBox3d& box) {
   return std::ldexp(1.0, -std::max(exponent, kSmallestExponent));
 }
 
-void PolygonTriangulator::append(const std::vector<Vector3>& vertices, std::span<const std::uint32_t> polygon,
+bool PolygonTriangulator::append(const std::vector<Vector3>& vertices, std::span<const std::uint32_t> polygon,
                                  std::vector<Triangle>& triangles) {
   if (polygon.size() > 3 && project(vertices, polygon) && !fan_keeps_orientation()) {
-    clip_ears(polygon, triangles);
-    return;
+    return clip_ears(polygon, triangles);
   }
   for (std::size_t i = 2; i < polygon.size(); ++i) {
     triangles.push_back({polygon[0], polygon[i - 1], polygon[i]});
   }
+  return true;
 }
 
 // Fills points_; false if the polygon has no normal to look along.
@@ -72,7 +62,7 @@ bool PolygonTriangulator::fan_keeps_orientation() const {
   return true;
 }
 
-void PolygonTriangulator::clip_ears(std::span<const std::uint32_t> polygon, std::vector<Triangle>& triangles) {
+bool PolygonTriangulator::clip_ears(std::span<const std::uint32_t> polygon, std::vector<Triangle>& triangles) {
   const auto size = static_cast<std::uint32_t>(polygon.size());
   previous_.resize(size);
   next_.resize(size);
@@ -83,74 +73,75 @@ void PolygonTriangulator::clip_ears(std::span<const std::uint32_t> polygon, std:
   find_reflex();
   work_left_ = kWorkPerCorner * static_cast<std::int64_t>(size);
 
-  // Round and round until a full turn finds nothing to cut; then, for one cut, with less demand.
-  std::uint32_t corner = 0, left = size, visited = 0;
-  Cut cut = Cut::kEar;
-  while (left > 3 && work_left_ > 0) {
-    if (can_cut(corner, cut)) {
-      triangles.push_back({polygon[previous_[corner]], polygon[corner], polygon[next_[corner]]});
-      unlink(corner);
-      --left;
-      visited = 0;
-      cut = Cut::kEar;
-    } else if (++visited == left) {
-      if (cut == Cut::kConvex) break;
-      cut = cut == Cut::kEar ? Cut::kFlat : Cut::kConvex;
-      visited = 0;
+  std::vector<std::uint32_t> waiting;  // corners that may be ears
+  std::size_t begin = 0;
+  std::uint32_t left = size, corner = 0;  // one that is left
+  const auto cut = [&](std::uint32_t i) {
+    triangles.push_back({polygon[previous_[i]], polygon[i], polygon[next_[i]]});
+    corner = next_[i];
+    waiting.insert(waiting.end(), {previous_[i], next_[i]});
+    unlink(i);
+    --left;
+  };
+  const auto wait_all = [&] {
+    waiting.clear();
+    begin = 0;
+    for (std::uint32_t i = 0; i < left; ++i, corner = next_[corner]) waiting.push_back(corner);
+  };
+  wait_all();
+  while (left > 3) {
+    if (work_left_ <= 0) return false;
+    if (begin < waiting.size()) {
+      const std::uint32_t i = waiting[begin++];
+      --work_left_;
+      if (is_left(i) && turn_at(i) > 0 && is_empty(i)) cut(i);
+      continue;
     }
-    corner = next_[corner];
+    // No ear: straight corners may block each other; else it crosses itself.
+    const std::uint32_t before = left;
+    for (std::uint32_t i = 0; i < before && left > 3; ++i) {
+      const std::uint32_t at = corner;
+      corner = next_[at];
+      if (turn_at(at) == 0) cut(at);
+    }
+    work_left_ -= before;
+    if (left < before) {
+      wait_all();
+      continue;
+    }
+    for (std::uint32_t i = 0; i < left && turn_at(corner) <= 0; ++i) corner = next_[corner];
+    if (turn_at(corner) <= 0) break;
+    cut(corner);
   }
   for (std::uint32_t i = next_[corner]; next_[i] != corner; i = next_[i]) {
     triangles.push_back({polygon[corner], polygon[i], polygon[next_[i]]});
   }
-}
-
-bool PolygonTriangulator::can_cut(std::uint32_t corner, Cut cut) {
-  --work_left_;
-  const double area = turn_at(corner);
-  switch (cut) {
-    case Cut::kEar:
-      return area > 0 && is_empty(corner);
-    case Cut::kFlat:
-      return area == 0;
-    case Cut::kConvex:
-      return area > 0;
-  }
-  return false;
+  return true;
 }
 
 void PolygonTriangulator::find_reflex() {
-  reflex_.clear();
+  std::vector<PointTree::Point> reflex;
   is_reflex_.assign(points_.size(), 0);
   for (std::uint32_t i = 0; i < points_.size(); ++i) {
     is_reflex_[i] = turn_at(i) <= 0;
-    if (is_reflex_[i]) reflex_.push_back({points_[i], i});
+    if (is_reflex_[i]) reflex.push_back({points_[i], i});
   }
-  reflex_count_ = reflex_.size();
-  std::sort(reflex_.begin(), reflex_.end(), [](const ReflexCorner& p, const ReflexCorner& q) {
-    return p.point.x() != q.point.x() ? p.point.x() < q.point.x() : p.corner < q.corner;
-  });
+  reflex_.build(std::move(reflex), static_cast<std::uint32_t>(points_.size()));
 }
 
 // Whether no reflex corner lies in or on the triangle at a corner.
 bool PolygonTriangulator::is_empty(std::uint32_t corner) {
   const Eigen::Vector2d &a = points_[previous_[corner]], &b = points_[corner], &c = points_[next_[corner]];
-  const auto [left, right] = std::minmax({a.x(), b.x(), c.x()});
-  const auto begin = std::lower_bound(reflex_.begin(), reflex_.end(), left,
-                                      [](const ReflexCorner& p, double x) { return p.point.x() < x; });
-  for (auto p = begin; p != reflex_.end() && p->point.x() <= right; ++p) {
-    --work_left_;
-    const Eigen::Vector2d& q = p->point;
-    const bool inside = turn(a, b, q) >= 0 && turn(b, c, q) >= 0 && turn(c, a, q) >= 0;
-    if (inside && is_reflex_[p->corner] && q != a && q != b && q != c) return false;
-  }
-  return true;
+  return !reflex_.any_in(a, b, c, work_left_, [&](const PointTree::Point& p) {
+    return is_reflex_[p.id] && p.place != a && p.place != b && p.place != c;
+  });
 }
 
 void PolygonTriangulator::unlink(std::uint32_t corner) {
   const std::uint32_t before = previous_[corner], after = next_[corner];
   next_[before] = after;
   previous_[after] = before;
+  next_[corner] = corner;
   set_not_reflex(corner);
   for (const std::uint32_t neighbour : {before, after}) {
     if (turn_at(neighbour) > 0) set_not_reflex(neighbour);
@@ -159,11 +150,8 @@ void PolygonTriangulator::unlink(std::uint32_t corner) {
 
 // A corner of a simple polygon that is not reflex never becomes so by cutting ears.
 void PolygonTriangulator::set_not_reflex(std::uint32_t corner) {
-  reflex_count_ -= is_reflex_[corner] ? 1 : 0;
+  if (is_reflex_[corner]) reflex_.remove(corner);
   is_reflex_[corner] = 0;
-  if (2 * reflex_count_ < reflex_.size()) {
-    std::erase_if(reflex_, [&](const ReflexCorner& p) { return !is_reflex_[p.corner]; });
-  }
 }
 
 }  // namespace rectilin

@@ -1,11 +1,11 @@
 #include <Eigen/Geometry>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
 
 #include "mesh_bytes.h"
-#include "mesh_formats.h"
+#include "rectilin/measure/mesh_io.h"
+#include "rectilin/measure/whole_file.h"
 
 namespace rectilin {
 namespace {
@@ -134,11 +134,7 @@ void write_mesh(const std::filesystem::path& file, const Mesh& mesh, const Write
   if (!format) {
     throw MeshError(file.string() + ": the extension is none of .off, .obj, .ply, .stl");
   }
-  const std::string bytes = to_bytes(mesh, *format, options.binary, file.string());
-  std::ofstream stream(file, std::ios::binary);
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  stream.close();
-  if (!stream) throw MeshError(file.string() + ": cannot be written");
+  write_whole_file(file, to_bytes(mesh, *format, options.binary, file.string()));
 }
 
 }  // namespace rectilin

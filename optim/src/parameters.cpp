@@ -33,9 +33,12 @@ bool is_integer_within(const Json& value, double lower, double upper) {
 }
 
 /// A value as it stands in a message, whatever bytes somebody typed.
-std::string shown(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 }  // namespace
+
+std::string to_text(const Json& value, int indent) {
+  return value.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
 
 Spec Spec::parse(std::string_view text) {
   const auto question = text.find('?');
@@ -163,7 +166,7 @@ void Parameters::set(const Json& settings, std::string_view owner) {
                            (names.empty() ? " (it has none)" : "; it has " + join(names, ", ")));
     }
     if (!entry->assign(value))
-      throw ParameterError(std::string(owner) + ": " + key + "=" + shown(value) + " is not accepted (" +
+      throw ParameterError(std::string(owner) + ": " + key + "=" + to_text(value) + " is not accepted (" +
                            entry->accepts + ")");
   }
 }

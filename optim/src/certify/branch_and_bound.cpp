@@ -13,7 +13,7 @@ namespace {
 /// How far each Rodrigues component of the rotations asked for is off the model's minima, at most, and in units of the
 /// gap. These minima tend to have faces parallel to axes to the last bit, where the signs in a cut are rounding noise;
 /// a little off, they are the same for everyone who recomputes the cut.
-constexpr double kJitter = 1e-8, kJitterPerGap = 0.01;
+constexpr double kJitter = 1e-8, kLeastJitter = 1e-15, kJitterPerGap = 0.01;
 
 constexpr std::size_t kOpenPerRound = 16, kGrowth = 16;  // a round takes a 16th of the open cells, up to 16 batches
 constexpr int kRetries = 3;                              // times new cuts may be tried before a cell is halved
@@ -119,7 +119,7 @@ void BranchAndBound::take_round() {
 /// false if the budget ends first.
 bool BranchAndBound::evaluate_round() {
   const double before = evaluator_.incumbent().value;
-  const double jitter = std::min(kJitter, kJitterPerGap * options_.gap);
+  const double jitter = std::clamp(kJitterPerGap * options_.gap, kLeastJitter, kJitter);
   std::vector<Rotation> rotations;
   for (Slot& slot : round_) {
     if (slot.cell.model >= enough_) continue;
@@ -194,7 +194,12 @@ void BranchAndBound::update_minorants() {
   // Finer triangles for a smaller gap; three axes may each lose the tolerance.
   const double wanted = evaluator_.incumbent().value - cutoff_;
   result_.minorant_levels = std::clamp(static_cast<int>(std::lround(2 - std::log10(3 * wanted))), 5, 8);
-  minorants_ = std::make_unique<SphereMinorants>(generators_, result_.minorant_levels, 0.2 * wanted);
+  try {
+    minorants_ = std::make_unique<SphereMinorants>(generators_, result_.minorant_levels, 0.2 * wanted,
+                                                   [this] { return stopped(); });
+  } catch (const SphereMinorants::Stopped&) {
+    result_.minorant_levels = 0;
+  }
 }
 
 void BranchAndBound::expand(Slot& slot) const {

@@ -42,6 +42,7 @@ class Search {
       if (half_edge < kFinest || open_.size() > kMostCells) break;
       halve(level % 3);
     }
+    cut_short_ = evaluator_.exhausted();
     collect_components();
     std::ranges::stable_sort(found_, {}, &Optimum::value);
     return std::move(found_);
@@ -156,8 +157,8 @@ class Search {
     for (const Piece& piece : component) length = std::max(length, frame_angle(piece.centre, component[0].centre));
     const Piece& best = *std::ranges::min_element(component, {}, [](const Piece& p) { return p.best.value; });
     Optimum optimum{Optimum::Kind::kPossible, reduce_to_zone(best.best.rotation), best.best.value};
-    if (optimum.value <= threshold_)
-      optimum.kind = length > kStretched ? Optimum::Kind::kContinuum : Optimum::Kind::kPoint;
+    if (optimum.value <= threshold_ && length <= kStretched) optimum.kind = Optimum::Kind::kPoint;
+    else if (optimum.value <= threshold_ && !cut_short_) optimum.kind = Optimum::Kind::kContinuum;
     return optimum;
   }
 
@@ -175,6 +176,7 @@ class Search {
   Balls balls_;
   std::vector<Centre> centres_;
   std::vector<Optimum> found_;
+  bool cut_short_ = false;  // the budget ended before cells were small
 };
 
 }  // namespace

@@ -73,10 +73,12 @@ class PatchSearch {
 
 class SphereMinorants::Builder {
  public:
-  Builder(SphereMinorants& result, double tolerance) : result_(result), tolerance_(tolerance) {}
+  Builder(SphereMinorants& result, double tolerance, const std::function<bool()>& stop)
+      : result_(result), tolerance_(tolerance), stop_(stop) {}
 
   std::uint64_t build(const FaceList& faces, const Eigen::Vector3d& settled, const Triangle3& p, int level,
                       std::size_t index) {
+    if (stop_()) throw Stopped();
     Patch& patch = result_.levels_[level][index];
     patch.corners = p;
     patch.centre = centre_of(p);
@@ -136,9 +138,11 @@ class SphereMinorants::Builder {
 
   SphereMinorants& result_;
   double tolerance_;
+  const std::function<bool()>& stop_;
 };
 
-SphereMinorants::SphereMinorants(const Generators& generators, int levels, double tolerance) {
+SphereMinorants::SphereMinorants(const Generators& generators, int levels, double tolerance,
+                                 const std::function<bool()>& stop) {
   for (int i = 0; i < levels; ++i) levels_.emplace_back(std::size_t{4} << (2 * i));
   const FaceList all(generators);
   double total = 0;
@@ -146,7 +150,7 @@ SphereMinorants::SphereMinorants(const Generators& generators, int levels, doubl
   // A sum of K terms, in whatever order, errs by at most K roundoffs of the sum of the lengths.
   rounding_ = total * (static_cast<double>(generators.size()) * 0x1p-52 + kRounding);
 
-  Builder builder(*this, tolerance);
+  Builder builder(*this, tolerance, stop);
   const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
   const std::array<Triangle3, 4> upper = {Triangle3{x, y, z}, {y, -x, z}, {-x, -y, z}, {-y, x, z}};
   std::array<std::uint64_t, 4> pairs;

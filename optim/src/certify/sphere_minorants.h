@@ -1,6 +1,7 @@
 // Sharp linear minorants of h on parts of the sphere, for objectives that are nearly constant.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -18,7 +19,9 @@ namespace rectilin::bounding {
 /// Immutable and thread safe; the same for any number of threads.
 class SphereMinorants {
  public:
-  SphereMinorants(const Generators& generators, int levels, double tolerance);
+  /// Throws Stopped once `stop` returns true, which is asked often and by many threads.
+  struct Stopped {};
+  SphereMinorants(const Generators& generators, int levels, double tolerance, const std::function<bool()>& stop);
 
   /// l and m with h(x) >= l . x + m for every unit vector x within `angle` radians of the unit vector u.
   std::optional<Minorant> on_cap(const Eigen::Vector3d& u, double angle) const;

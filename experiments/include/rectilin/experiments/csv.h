@@ -36,8 +36,4 @@ class Csv {
   std::string text_;
 };
 
-/// Writes a whole file or, if that fails or the program ends meanwhile, leaves what was there; throws
-/// std::runtime_error if it fails.
-void write_text(const std::filesystem::path& file, const std::string& text);
-
 }  // namespace rectilin

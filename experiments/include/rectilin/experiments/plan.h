@@ -43,8 +43,9 @@ LabelledSpec split_label(std::string_view text);
 std::vector<Entry> parse_entries(const std::vector<std::string>& lists, const std::vector<std::string>& domains,
                                  const Registry& registry);
 
-/// Throws ParameterError for a plan without meshes, entries or runs, or with a mesh or a label twice.
-void check(const Plan& plan);
+/// Throws ParameterError for a plan without meshes, entries or runs, with a mesh or a label twice or not in UTF-8, or
+/// with a certificate that proves nothing.
+void check(const Plan& plan, const Registry& registry);
 
 Json to_json(const Plan& plan);
 

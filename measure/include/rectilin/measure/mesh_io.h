@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,9 @@ struct LoadedMesh {
 
 enum class MeshFormat { kOff, kObj, kPly, kStl };
 
+/// By .off, .obj, .ply or .stl, in small letters or capitals.
+std::optional<MeshFormat> format_of_extension(const std::filesystem::path& file);
+
 /// Reads a mesh file; the format is taken from the content where that decides it, else from the
 /// extension. Throws MeshError for anything malformed: a bad index, a truncated file, counts the
 /// file cannot hold, no triangle, zero total area. Thread safe.
@@ -27,9 +31,8 @@ enum class MeshFormat { kOff, kObj, kPly, kStl };
 ///
 /// A polygon becomes a fan if the fan does not fold over itself, else its ears are clipped, so that
 /// a planar concave polygon keeps its area. Both look at the polygon along the coordinate axis
-/// nearest to its normal. Only a polygon of thousands of concave corners can exhaust the work
-/// allowed for ears (in proportion to its corners); what is left of it then becomes a fan after
-/// all.
+/// nearest to its normal. A polygon of a hundred thousand corners or more may be so intricate, or cross itself so often,
+/// that cutting it would take too long; it is refused.
 ///
 /// Time is within a log factor of the file's size, and memory within a small multiple of it,
 /// whatever a header claims.
@@ -44,8 +47,8 @@ struct WriteOptions {
 
 /// Writes a mesh in the format of the file's extension (.off, .obj, .ply, .stl). Text and binary
 /// PLY carry doubles that read back bit for bit; binary STL holds single precision, as the format
-/// demands. Throws MeshError when the file cannot be written, the extension is unknown, or a
-/// coordinate or count is beyond what the format holds. Thread safe.
+/// demands. Throws MeshError when the extension is unknown or a coordinate or count is beyond what the format
+/// holds, std::runtime_error when the file cannot be written (see write_whole_file()). Thread safe.
 void write_mesh(const std::filesystem::path& file, const Mesh& mesh, const WriteOptions& options = {});
 
 }  // namespace rectilin

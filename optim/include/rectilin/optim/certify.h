@@ -39,7 +39,7 @@ struct Optimum {
   enum class Kind {
     kPoint,      ///< a minimum; other frames within the gap are near it (0.02 radians) or in a ball where none is lower
     kContinuum,  ///< frames within the gap that stretch further: a curve of them, or closer than can be told
-    kPossible,   ///< cells that could not be excluded; no frame within the gap was found there
+    kPossible,   ///< cells that could not be excluded: no frame within the gap was found there, or the budget ended
   };
   Kind kind = Kind::kPoint;
   Rotation rotation;  ///< the best frame met, as reduce_to_zone() turns it

@@ -15,6 +15,9 @@ namespace rectilin {
 
 using Json = nlohmann::ordered_json;
 
+/// On one line or indented. Bytes that are not UTF-8, as names of files may have, are replaced.
+std::string to_text(const Json& value, int indent = -1);
+
 /// A wrong name, key or value. what() is one line that says which, and what would be accepted.
 class ParameterError : public std::invalid_argument {
  public:
