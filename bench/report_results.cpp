@@ -111,8 +111,10 @@ nlohmann::ordered_json summary(const Results& results) {
     set(out["scalar_speedup"], precision,
         results.counter("flat/" + best + "/" + precision + "/directions:150/faces:10000/threads:1", "pairs/s") / naive);
   for (const Result* r : results.family("speedup/")) {
-    set(out["thread_speedup"], r->name.substr(8), results.counter(r->name, "speedup"));
-    set(out["registers_thread_speedup"], r->name.substr(8), results.counter(r->name, "registers_speedup"));
+    const double gained = results.counter(r->name, "speedup");
+    set(out["thread_speedup"], r->name.substr(8), gained);
+    set(out["thread_speedup_over_registers"], r->name.substr(8),
+        gained / results.counter(r->name, "registers_speedup"));
   }
   for (const char* query : {"values", "cuts", "local_cuts", "coarse_cuts"}) {
     const std::string prefix = std::string("query/") + query + "/";

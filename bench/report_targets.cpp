@@ -18,6 +18,7 @@ constexpr Target kTargets[] = {
     {"bandwidth_fraction", "threads:1", Target::kAtLeast, 0.8},
     {"scalar_speedup", "", Target::kAtLeast, 12},
     {"thread_speedup", "directions:15", Target::kAtLeast, 1.8},
+    {"thread_speedup_over_registers", "directions:15", Target::kAtLeast, 0.9},
     {"tree_speedup", "1000000", Target::kAtLeast, 5},
     {"tree_speedup", "10000000", Target::kAtLeast, 15},
     {"tree_exponent", "", Target::kAtMost, 0.6},
