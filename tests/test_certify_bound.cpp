@@ -162,6 +162,21 @@ TEST_CASE("a box that a set of balls holds has every rotation in one", "[certify
   REQUIRE(held > 100 * kEffort);
 }
 
+TEST_CASE("no ball holds a point outside, however little", "[certify]") {
+  Random random(14);
+  for (int trial = 0; trial < 20000 * kEffort; ++trial) {
+    const Rotation centre = rotation_from_rodrigues(random_point(random, random_box(random)));
+    const double angle = std::pow(10.0, random.uniform(-6, -1));
+    const double beyond = angle * (1 + std::pow(10.0, random.uniform(-8, -3)));
+    const Eigen::Quaterniond q =
+        (rotation_from_vector(beyond * test::random_vector(random).normalized()) * centre).quaternion();
+    const Vector3 point = q.vec() / q.w();
+    Balls balls;
+    balls.add(centre, angle);
+    REQUIRE_FALSE(balls.hold({point, point}));
+  }
+}
+
 TEST_CASE("minorants on caps stay below h", "[certify]") {
   Random random(5);
   for (int trial = 0; trial < 2 * kEffort; ++trial) {

@@ -65,6 +65,12 @@ TEST_CASE("a run that is stopped proves what it got to", "[verify]") {
     before = verdict.upper;
   }
   REQUIRE(before < best + 0.05);
+  for (int cells = 5; cells < 300; cells += 9) {
+    const Mesh other = mesh_of("soup?faces=30&seed=" + std::to_string(cells));
+    const Verdict verdict = verify_certificate(prove(other, {.gap = 0.01, .cells = cells}).dump(), other);
+    INFO(cells << " cells: " << verdict.reason);
+    REQUIRE(verdict.accepted);
+  }
   for (const std::uint64_t evaluations : {2u, 7u, 100u}) {
     const Verdict verdict = verify_certificate(prove(mesh, {}, {.evaluations = evaluations}).dump(), mesh);
     INFO(evaluations << " evaluations: " << verdict.reason);
