@@ -85,27 +85,26 @@ int measure(const MeasureOptions& options) {
   // file must not pick up another file and charge its time to the first.
   Printer printer(sources, options.json);
   std::size_t next = 0;
-  tbb::parallel_pipeline(
-      at_once, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order,
-                                                   [&](tbb::flow_control& flow) {
-                                                     if (next == sources.size() || settings.stop.stop_requested())
-                                                       flow.stop();
-                                                     return next++;
-                                                   }) &
-                   tbb::make_filter<std::size_t, std::shared_ptr<Row>>(
-                       tbb::filter_mode::parallel,
-                       [&](std::size_t i) {
-                         auto row = std::make_shared<Row>();
-                         tbb::this_task_arena::isolate(
-                             [&] { *row = measure_source(sources[i], *optimizer, settings, !options.proof.empty()); });
-                         return row;
-                       }) &
-                   tbb::make_filter<std::shared_ptr<Row>, void>(tbb::filter_mode::serial_in_order,
-                                                                [&](const std::shared_ptr<Row>& row) {
-                                                                  printer.print(*row);
-                                                                  if (!row->proof.empty())
-                                                                    write_whole_file(options.proof, row->proof);
-                                                                }));
+  const auto take = [&](tbb::flow_control& flow) {
+    if (next < sources.size() && !settings.stop.stop_requested()) return next++;
+    flow.stop();
+    return next;
+  };
+  const auto measure_one = [&](std::size_t i) {
+    auto row = std::make_shared<Row>();
+    tbb::this_task_arena::isolate(
+        [&] { *row = measure_source(sources[i], *optimizer, settings, !options.proof.empty()); });
+    return row;
+  };
+  const auto print = [&](const std::shared_ptr<Row>& row) {
+    printer.print(*row);
+    if (!row->proof.empty()) write_whole_file(options.proof, row->proof);
+  };
+  using RowPointer = std::shared_ptr<Row>;
+  tbb::parallel_pipeline(at_once,
+                         tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, take) &
+                             tbb::make_filter<std::size_t, RowPointer>(tbb::filter_mode::parallel, measure_one) &
+                             tbb::make_filter<RowPointer, void>(tbb::filter_mode::serial_in_order, print));
   if (next < sources.size()) complain("stopped: " + std::to_string(sources.size() - next) + " meshes are not measured");
   return printer.failed() > 0 || settings.stop.stop_requested() ? 1 : 0;
 }

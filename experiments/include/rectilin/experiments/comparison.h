@@ -33,14 +33,15 @@ struct ComparisonOutcome {
 
 /// Does what is left of `plan` in `folder`, which is made if need be and afterwards holds
 /// - plan.json: the plan; provenance.json: see record_start();
-/// - meshes.jsonl: a line for each mesh with its certified bounds of R, or why it cannot be measured;
+/// - meshes.jsonl: a line for each mesh with its digest and certified bounds of R, or why it cannot be measured;
 /// - runs.jsonl: a line for each finished run, written when it finishes: to_json(RunRecord) and `mesh`, `entry`
 ///   (the label), `run`, `instance` (the mesh's rotation) and the `trace` (arrays `evaluations`, `seconds`,
 ///   `merit`: R of the best rotation so far, wherever it rose).
 /// Runs go on beside each other, each confined to one thread; so lines come in any order, but what they say, times
 /// apart, depends on the plan alone. Certificates come first, one mesh at a time with all threads.
-/// Throws ParameterError if the folder holds another plan or a mesh has changed since, std::runtime_error
-/// if the folder cannot be written. A stop leaves finished runs in place; call again to go on.
+/// Throws ParameterError for a plan that check() refuses, or if the folder holds another plan or a mesh has changed
+/// since, std::runtime_error if the folder cannot be written or another program is writing there. A stop leaves finished
+/// runs in place; call again to go on.
 ComparisonOutcome run_comparison(const Plan& plan, const std::filesystem::path& folder, const Registry& registry,
                                  const ComparisonSettings& settings = {});
 
