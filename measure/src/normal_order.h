@@ -10,8 +10,8 @@ namespace rectilin {
 /// Longest run that arrange() takes.
 inline constexpr std::size_t kRun = 32768;
 
-/// Signs carry no meaning, but vectors that are neighbours up to sign must point the same way for their sum to stand for
-/// them: each is turned to the side of the one before it, the first to that of an arbitrary axis.
+/// Signs carry no meaning, but vectors that are neighbours up to sign must point the same way for their sum to stand
+/// for them: each is turned to the side of the one before it, the first to that of an arbitrary axis.
 void align(std::vector<Vector3>& run);
 
 /// Halves the vectors at the median of the wider of two coordinates in the plane, then each half

@@ -40,8 +40,8 @@ struct ComparisonOutcome {
 /// Runs go on beside each other, each confined to one thread; so lines come in any order, but what they say, times
 /// apart, depends on the plan alone. Certificates come first, one mesh at a time with all threads.
 /// Throws ParameterError for a plan that check() refuses, or if the folder holds another plan or a mesh has changed
-/// since, std::runtime_error if the folder cannot be written or another program is writing there. A stop leaves finished
-/// runs in place; call again to go on.
+/// since, std::runtime_error if the folder cannot be written or another program is writing there. A stop leaves
+/// finished runs in place; call again to go on.
 ComparisonOutcome run_comparison(const Plan& plan, const std::filesystem::path& folder, const Registry& registry,
                                  const ComparisonSettings& settings = {});
 

@@ -31,8 +31,8 @@ std::optional<MeshFormat> format_of_extension(const std::filesystem::path& file)
 ///
 /// A polygon becomes a fan if the fan does not fold over itself, else its ears are clipped, so that
 /// a planar concave polygon keeps its area. Both look at the polygon along the coordinate axis
-/// nearest to its normal. A polygon of a hundred thousand corners or more may be so intricate, or cross itself so often,
-/// that cutting it would take too long; it is refused.
+/// nearest to its normal. A polygon of many thousand corners may be so intricate, or cross itself so
+/// often, that cutting it would take too long; it is refused.
 ///
 /// Time is within a log factor of the file's size, and memory within a small multiple of it,
 /// whatever a header claims.
