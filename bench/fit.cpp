@@ -6,9 +6,10 @@
 
 namespace rectilin::bench {
 
-double exponent(std::span<const Point> points) {
+double exponent(std::span<const Point> points, double least) {
   std::vector<double> sizes, times;
   for (const Point& p : points) {
+    if (p.size < least) continue;
     sizes.push_back(p.size);
     times.push_back(p.time);
   }

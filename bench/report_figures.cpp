@@ -47,9 +47,9 @@ class Curves {
   std::vector<Panel::Curve> curves_;
 };
 
-std::string with_exponent(const std::string& label, std::span<const Point> points) {
+std::string with_exponent(const std::string& label, std::span<const Point> points, double least) {
   char text[96];
-  std::snprintf(text, sizeof text, "%s: N^%.2f", label.c_str(), exponent(points));
+  std::snprintf(text, sizeof text, "%s: N^%.2f", label.c_str(), exponent(points, least));
   return text;
 }
 
@@ -62,17 +62,17 @@ std::string best_target(const Results& results) {
 
 void draw_time(const Results& results, const std::filesystem::path& folder) {
   Curves curves;
-  const auto add = [&](std::vector<Point> points, double calls, const char* label, LineStyle style) {
+  const auto add = [&](std::vector<Point> points, double calls, const char* label, LineStyle style, double least = 0) {
     for (Point& p : points) p.time *= 1e6 / calls;
-    if (points.size() > 1) curves.add(points, with_exponent(label, points), style);
+    if (points.size() > 1) curves.add(points, with_exponent(label, points, least), style);
   };
   const std::string flat = "flat/" + best_target(results);
   add(results.series("naive/"), 1, "naive loop", {.colour = 1});
   add(results.series(flat + "/double/directions:150/", "/threads:1"), 150, "flat double", {.colour = 0});
   add(results.series(flat + "/single/directions:150/", "/threads:1"), 150, "flat single", {.colour = 0, .dash = 1});
-  add(results.series("query/values/", "", "seconds_per_direction"), 1, "tree", {.colour = 2});
-  add(results.series("query/local_cuts/", "", "seconds_per_direction"), 1, "tree, local cuts",
-      {.colour = 2, .dash = 1});
+  add(results.series("query/values/", "", "seconds_per_direction"), 1, "tree", {.colour = 2}, kTreeFrom);
+  add(results.series("query/local_cuts/", "", "seconds_per_direction"), 1, "tree, local cuts", {.colour = 2, .dash = 1},
+      kTreeFrom);
   curves.draw("Time of h(u), one core", {.label = "faces", .logarithmic = true},
               {.label = "microseconds a direction", .logarithmic = true}, folder, "time");
 }

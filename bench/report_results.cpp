@@ -121,9 +121,8 @@ nlohmann::ordered_json summary(const Results& results) {
     const std::string name = std::string(query) == "values" ? "tree_speedup" : std::string("tree_speedup_") + query;
     for (const Point& p : results.series(prefix, "", "over_flat"))
       out[name][std::to_string(static_cast<long>(p.size))] = p.time;
-    std::vector<Point> times = results.series(prefix, "", "seconds_per_direction");
-    std::erase_if(times, [](const Point& p) { return p.size < 10'000; });  // below, the flat sum is faster
-    if (times.size() > 1) out["tree_exponent"][query] = exponent(times);
+    const std::vector<Point> times = results.series(prefix, "", "seconds_per_direction");
+    if (times.size() > 1) set(out["tree_exponent"], query, exponent(times, kTreeFrom));
   }
   for (const Point& p : results.series("query/values/", "", "error"))
     out["tree_error"][std::to_string(static_cast<long>(p.size))] = p.time;

@@ -47,8 +47,6 @@ class Stopwatch {
     return median_of(std::move(ratios));
   }
 
-  double least() const { return *std::min_element(times_.begin(), times_.end()); }
-
  private:
   static double median_of(std::vector<double> numbers) {
     const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);

@@ -162,8 +162,8 @@ TEST_CASE("certify tells where the pose is not unique", "[certify]") {
 }
 
 TEST_CASE("the list of optima holds every frame within a wide gap", "[certify]") {
-  // A box turned by t about an edge has P = (1 + 2 (cos t + sin t)) / 3 in units of S: one minimum, and frames within
-  // the gap that reach further than 0.02 radians, all in its ball.
+  // A box turned by 0.03 about an edge is within the gap, further than 0.02 radians from the pose it is in, but in its
+  // ball.
   const auto wide = certify_vectors(shape("box"), {.gap = 0.1, .optima = true}).result.optima;
   REQUIRE(wide.size() == 1);
   REQUIRE(wide[0].kind == Optimum::Kind::kPoint);

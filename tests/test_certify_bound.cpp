@@ -4,6 +4,7 @@
 
 #include "../optim/src/certify/bounder.h"
 #include "../optim/src/certify/box_bound.h"
+#include "../optim/src/certify/branch_and_bound.h"
 #include "../optim/src/certify/kink_ball.h"
 #include "../optim/src/certify/sphere_minorants.h"
 #include "catch.h"
@@ -145,6 +146,21 @@ TEST_CASE("no rotation in a kink ball is below its value", "[certify]") {
   REQUIRE(balls > 50 * kEffort);
 }
 
+TEST_CASE("values whose merit is within a gap lie between the cutoff and the threshold", "[certify]") {
+  Random random(15);
+  const ProjectedArea objective(area_vectors(awkward_vectors(random)));
+  for (int trial = 0; trial < 100 * kEffort; ++trial) {
+    const double value = random.uniform(1, 1.7), gap = std::pow(10.0, random.uniform(-9, 0));
+    const auto within = [&](double x) { return std::abs(objective.merit(x) - objective.merit(value)) <= gap; };
+    const double cutoff = cutoff_value(objective, value, gap), threshold = threshold_value(objective, value, gap);
+    REQUIRE(within(cutoff * (1 + 1e-14)));
+    REQUIRE_FALSE(within(cutoff * (1 - 1e-14)));
+    REQUIRE(within(threshold * (1 - 1e-14)));
+    REQUIRE_FALSE(within(threshold * (1 + 1e-14)));
+  }
+  REQUIRE(std::isinf(threshold_value(objective, 1.2, 10)));  // no merit is below -2
+}
+
 TEST_CASE("a box that a set of balls holds has every rotation in one", "[certify]") {
   Random random(4);
   int held = 0;
@@ -188,6 +204,7 @@ TEST_CASE("minorants on caps stay below h", "[certify]") {
       return sum;
     };
     const SphereMinorants minorants(generators, 4, 1e-4, [] { return false; });
+    REQUIRE_THROWS_AS(SphereMinorants(generators, 4, 1e-4, [] { return true; }), SphereMinorants::Stopped);
     for (int i = 0; i < 500; ++i) {
       const Vector3 u = test::random_vector(random).normalized();
       const double angle = random.uniform(0, 0.7);

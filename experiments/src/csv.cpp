@@ -2,8 +2,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <stdexcept>
 
 #include "rectilin/measure/whole_file.h"
 

@@ -1,7 +1,6 @@
 #include "rectilin/experiments/experiment.h"
 
 #include "figures/experiments.h"
-#include "rectilin/experiments/csv.h"
 #include "rectilin/experiments/provenance.h"
 #include "rectilin/measure/whole_file.h"
 

@@ -2,7 +2,6 @@
 #include <fstream>
 
 #include "html.h"
-#include "rectilin/experiments/csv.h"
 #include "rectilin/experiments/experiment.h"
 #include "rectilin/measure/whole_file.h"
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "rectilin/experiments/csv.h"
 #include "rectilin/experiments/plots.h"
 #include "rectilin/measure/whole_file.h"
 

@@ -16,7 +16,6 @@
 #include <pagmo/config.hpp>
 #endif
 
-#include "rectilin/experiments/csv.h"
 #include "rectilin/measure/whole_file.h"
 
 namespace rectilin {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ceil_div.h"
 #include "direction_order.h"
 #include "normal_order.h"
 
@@ -54,7 +55,7 @@ int length_exponent(const Mesh& mesh) {
 /// Makes neighbours along the curve neighbours in the plane. Runs are of fixed length, so that the order does not
 /// depend on the number of threads.
 void arrange_runs(AreaVectors& vectors) {
-  tbb::parallel_for(std::size_t{0}, (vectors.size() + kRun - 1) / kRun, [&](std::size_t part) {
+  tbb::parallel_for(std::size_t{0}, ceil_div(vectors.size(), kRun), [&](std::size_t part) {
     const std::size_t begin = part * kRun, end = std::min(begin + kRun, vectors.size());
     std::vector<Vector3> run;
     run.reserve(end - begin);

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "ceil_div.h"
 #include "flat_kernels.h"
 #include "flat_two_sum.h"
 
@@ -17,7 +18,7 @@ template <class T>
 struct FlatFaces {
   FaceSpan<T> whole, tail;
 
-  std::size_t chunks() const { return std::max<std::size_t>(1, (whole.size + kChunk - 1) / kChunk); }
+  std::size_t chunks() const { return std::max<std::size_t>(1, ceil_div(whole.size, kChunk)); }
 
   void sum_chunk(FlatKernel<T> kernel, std::size_t chunk, std::span<const Slope<T>> slopes, double* sums) const {
     const std::size_t begin = chunk * kChunk, end = std::min(begin + kChunk, whole.size);
@@ -34,8 +35,6 @@ constexpr std::size_t kTaskDirections = 24;
 
 // Below this many (face, direction) pairs, some 50 microseconds, tasks cost more than they save.
 constexpr std::size_t kSerialPairs = std::size_t{1} << 21;
-
-std::size_t ceil_div(std::size_t a, std::size_t b) { return (a + b - 1) / b; }
 
 enum class Schedule { kSerial, kThreads };
 

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <utility>
 
+#include "ceil_div.h"
 #include "normal_kernels.h"
 
 namespace rectilin {
@@ -78,7 +79,7 @@ class Halving {
  private:
   void halve(std::size_t begin, std::size_t end) {
     if (end - begin <= kLeaf) return;
-    const std::size_t leaves = (end - begin + kLeaf - 1) / kLeaf;
+    const std::size_t leaves = ceil_div(end - begin, kLeaf);
     const std::size_t middle = begin + std::bit_ceil(leaves) / 2 * kLeaf;
     const int wide = extent(0, begin, end) < extent(1, begin, end) ? 1 : 0;
     for (std::size_t i = begin; i < end; ++i) first_half_[sorted_[wide][i]] = i < middle;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "ceil_div.h"
 #include "normal_kernels.h"
 #include "normal_order.h"
 #include "normal_pack.h"
@@ -29,8 +30,6 @@ constexpr std::size_t kTaskLeaves = 2048;
 constexpr std::size_t kLargestShare = 8;
 constexpr std::size_t kFreeShare = 512;
 constexpr std::size_t kFewest = 96;
-
-std::size_t ceil_div(std::size_t a, std::size_t b) { return (a + b - 1) / b; }
 
 /// Fills all leaves and their sums. Runs are of fixed length, so that signs do not depend on the number of threads.
 std::vector<Vector3> fill_leaves(const AreaVectors& vectors, NormalLeaf* leaves, std::size_t count,
