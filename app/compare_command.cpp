@@ -5,9 +5,10 @@
 
 #include "commands.h"
 #include "options.h"
-#include "rectilin/experiments/comparison.h"
-#include "rectilin/experiments/report.h"
-#include "rectilin/measure/source.h"
+#include "rectilin/laboratory/comparison.h"
+#include "rectilin/laboratory/report.h"
+#include "rectilin/mesh/source.h"
+#include "rectilin/optim/adapters/all_optimizers.h"
 #include "terminal.h"
 
 namespace rectilin::app {
@@ -42,7 +43,7 @@ std::string time_left(double seconds) {
 }
 
 int compare(CompareOptions options, const std::string& command_line) {
-  const Registry& registry = builtin_optimizers();
+  const Registry& registry = all_optimizers();
   Plan& plan = options.plan;
   plan.meshes = expand_folders(options.sources);
   if (options.optimizers.empty()) options.optimizers = default_optimizers(registry);

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "commands.h"
-#include "rectilin/measure/source.h"
+#include "rectilin/mesh/source.h"
 
 namespace rectilin::app {
 

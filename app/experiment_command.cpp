@@ -7,8 +7,8 @@
 
 #include "commands.h"
 #include "options.h"
-#include "rectilin/experiments/experiment.h"
-#include "rectilin/measure/source.h"
+#include "rectilin/mesh/source.h"
+#include "rectilin/paper/experiment.h"
 #include "terminal.h"
 
 namespace rectilin::app {

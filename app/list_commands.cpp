@@ -3,8 +3,8 @@
 #include <iostream>
 
 #include "commands.h"
-#include "rectilin/measure/shapes.h"
-#include "rectilin/optim/registry.h"
+#include "rectilin/mesh/shapes.h"
+#include "rectilin/optim/adapters/all_optimizers.h"
 #include "terminal.h"
 
 namespace rectilin::app {
@@ -52,8 +52,8 @@ void add_list(CLI::App& app, const std::string& name, const std::string& help, G
 void add_list_commands(CLI::App& app) {
   add_list(
       app, "optimizers", "List the optimizers, what they can do and need, and their parameters",
-      [] { return builtin_optimizers().entries(); },
-      [](const Registry::Entry& entry) { return to_json(builtin_optimizers().make(entry.name)->capabilities()); });
+      [] { return all_optimizers().entries(); },
+      [](const Registry::Entry& entry) { return to_json(all_optimizers().make(entry.name)->capabilities()); });
   add_list(
       app, "shapes", "List the built-in shapes and their parameters", [] { return list_shapes(); },
       [](const ShapeInfo&) { return Json::object(); });

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "commands.h"
+#include "rectilin/base/version.h"
 #include "terminal.h"
 
 int main(int argc, char** argv) {
@@ -12,7 +13,7 @@ int main(int argc, char** argv) {
       "R(M) = 3 (max S/P - 2/3), S the surface area, P the sum of the areas projected on three orthogonal\n"
       "planes, over all rotations of the planes (Lian, Rosin and Sun, IJCV 2010). 1: all faces meet at right\n"
       "angles; near 0: like a sphere.\n");
-  app.set_version_flag("--version", RECTILIN_VERSION);
+  app.set_version_flag("--version", rectilin::version());
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);
   app.footer("Try: rectilin measure shape:pyramid\n     rectilin measure --help");

@@ -11,9 +11,9 @@
 #include "commands.h"
 #include "measure_row.h"
 #include "options.h"
-#include "rectilin/measure/source.h"
-#include "rectilin/measure/whole_file.h"
-#include "rectilin/optim/registry.h"
+#include "rectilin/base/whole_file.h"
+#include "rectilin/mesh/source.h"
+#include "rectilin/optim/adapters/all_optimizers.h"
 #include "terminal.h"
 
 namespace rectilin::app {
@@ -43,13 +43,13 @@ std::vector<std::string> lines_of(std::istream& in) {
 
 /// The optimizer asked for, with the options that only Certify has.
 std::unique_ptr<Optimizer> make_optimizer(const MeasureOptions& options) {
-  if (!options.gap && !options.optima && options.proof.empty()) return builtin_optimizers().make(options.optimizer);
+  if (!options.gap && !options.optima && options.proof.empty()) return all_optimizers().make(options.optimizer);
   Spec spec = Spec::parse(options.optimizer);
   if (spec.name != Certify::kName)
     throw ParameterError("--gap, --optima and --proof need the optimizer " + std::string(Certify::kName));
   if (options.gap) spec.settings["gap"] = *options.gap;
   if (options.optima) spec.settings["optima"] = true;
-  return builtin_optimizers().make(spec.name, spec.settings);
+  return all_optimizers().make(spec.name, spec.settings);
 }
 
 /// A proof must not take the place of a mesh.
@@ -65,7 +65,7 @@ int measure(const MeasureOptions& options) {
   RunSettings settings;
   settings.budget = options.budget;
   settings.seed = options.seed;
-  settings.chart = &chart_by_name(options.domain);
+  settings.domain = &domain_by_name(options.domain);
 
   std::vector<std::string> given;
   for (const std::string& source : options.sources) {
@@ -129,7 +129,7 @@ void add_measure_command(CLI::App& app, int& status) {
   command->add_flag("--optima", options->optima, "Find all poses within the gap (shown with --json)");
   command
       ->add_option("-d,--domain", options->domain,
-                   "Box that optimizers on a chart search: paper ([0,90]^3 degrees, three quarters of all "
+                   "Box that optimizers on a domain search: paper ([0,90]^3 degrees, three quarters of all "
                    "orientations), covering ([0,180]x[0,90]^2, all), zone (Rodrigues cube, all)")
       ->check(CLI::IsMember({"paper", "covering", "zone"}))
       ->capture_default_str();

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "rectilin/measure/projected_area.h"
-#include "rectilin/measure/source.h"
 #include "rectilin/measure/verify.h"
+#include "rectilin/mesh/source.h"
 
 namespace rectilin::app {
 namespace {
@@ -17,7 +17,7 @@ class CertifyInDetail final : public Optimizer {
   std::string name() const override { return certify_.name(); }
   Json parameters() const override { return certify_.parameters(); }
   Capabilities capabilities() const override { return certify_.capabilities(); }
-  void run(Evaluator& evaluator, const Chart&, Random&) const override {
+  void run(Evaluator& evaluator, const Domain&, Random&) const override {
     result = certify(evaluator, certify_.options(), prove_ ? &certificate : nullptr);
   }
 

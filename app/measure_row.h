@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rectilin/measure/mesh.h"
+#include "rectilin/mesh/mesh.h"
 #include "rectilin/optim/certify.h"
 #include "rectilin/optim/run_record.h"
 #include "terminal.h"

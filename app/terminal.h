@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "rectilin/optim/parameters.h"
+#include "rectilin/base/parameters.h"
 
 namespace rectilin::app {
 

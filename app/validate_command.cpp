@@ -6,10 +6,10 @@
 
 #include "commands.h"
 #include "options.h"
-#include "rectilin/experiments/claims.h"
-#include "rectilin/measure/source.h"
-#include "rectilin/measure/whole_file.h"
+#include "rectilin/base/whole_file.h"
+#include "rectilin/mesh/source.h"
 #include "rectilin/optim/run_record.h"
+#include "rectilin/paper/claims.h"
 #include "terminal.h"
 
 namespace rectilin::app {

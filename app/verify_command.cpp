@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "commands.h"
-#include "rectilin/measure/source.h"
 #include "rectilin/measure/verify.h"
+#include "rectilin/mesh/source.h"
 #include "terminal.h"
 
 namespace rectilin::app {

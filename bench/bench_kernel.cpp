@@ -9,8 +9,8 @@
 #include "bench.h"
 #include "inputs.h"
 #include "peak.h"
-#include "rectilin/experiments/naive_area.h"
 #include "rectilin/measure/flat_sum.h"
+#include "rectilin/measure/naive_area.h"
 #include "stopwatch.h"
 
 namespace rectilin::bench {
@@ -41,7 +41,7 @@ struct FlatCase {
 void flat(benchmark::State& state, const FlatCase& which) {
   const auto limit = threads(which.threads);
   const AreaVectors& vectors = smooth_vectors(which.faces);
-  const ScopedFlatSumTarget target(which.target);
+  const ScopedInstructionSet target(which.target);
   const FlatSum sum(vectors, which.precision);
   const RegisterLoop arithmetic = register_loop(which.target, which.precision);
   const bool compared = arithmetic && which.threads == 1 && which.directions >= 24;
@@ -175,7 +175,7 @@ void add_flat(const FlatCase& which) {
 }  // namespace
 
 void register_kernel_benchmarks() {
-  const std::vector<std::string> targets = flat_sum_targets();
+  const std::vector<std::string> targets = instruction_sets();
   constexpr std::array<Precision, 2> kPrecisions = {Precision::kDouble, Precision::kSingle};
   for (const std::string& target : targets)
     for (const Precision precision : kPrecisions)

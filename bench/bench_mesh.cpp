@@ -5,7 +5,7 @@
 
 #include "bench.h"
 #include "inputs.h"
-#include "rectilin/measure/mesh_io.h"
+#include "rectilin/mesh/mesh_io.h"
 
 namespace rectilin::bench {
 namespace {

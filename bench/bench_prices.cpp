@@ -15,7 +15,7 @@
 
 #include "rectilin/measure/flat_sum.h"
 #include "rectilin/measure/projected_area.h"
-#include "rectilin/measure/shapes.h"
+#include "rectilin/mesh/shapes.h"
 #include "rectilin/optim/evaluator.h"
 #include "stopwatch.h"
 
@@ -123,7 +123,7 @@ void table() {
 
 int main(int argc, char** argv) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  std::optional<rectilin::ScopedFlatSumTarget> target;
+  std::optional<rectilin::ScopedInstructionSet> target;
   if (argc > 1) target.emplace(argv[1]);
   rectilin::bench::table();
 }

@@ -6,7 +6,7 @@
 
 #include "bench.h"
 #include "rectilin/measure/projected_area.h"
-#include "rectilin/measure/source.h"
+#include "rectilin/mesh/source.h"
 #include "rectilin/optim/registry.h"
 #include "rectilin/optim/run_record.h"
 
@@ -20,7 +20,7 @@ void proof_and_guess(benchmark::State& state, const std::vector<std::string>& me
   for (auto _ : state) {
     for (const std::string& mesh : meshes) {
       const AreaVectors vectors = area_vectors(load_mesh(mesh).mesh);
-      const ProjectedArea fastest(vectors, mesh), flat(vectors, mesh, Evaluation::kFlat, Precision::kSingle);
+      const ProjectedArea fastest(vectors, mesh), flat(vectors, mesh, SumMethod::kFlat, Precision::kSingle);
       const RunRecord proved = run_optimizer(*certify, fastest, {}), guessed = run_optimizer(*ga, flat, {});
       proof += proved.seconds;
       guess += guessed.seconds;

@@ -3,9 +3,9 @@
 
 #include "bench.h"
 #include "inputs.h"
-#include "rectilin/experiments/naive_area.h"
+#include "rectilin/measure/naive_area.h"
 #include "rectilin/measure/projected_area.h"
-#include "rectilin/optim/registry.h"
+#include "rectilin/optim/adapters/all_optimizers.h"
 #include "rectilin/optim/run_record.h"
 
 namespace rectilin::bench {
@@ -13,15 +13,15 @@ namespace {
 
 using MakeObjective = std::unique_ptr<Objective> (*)(const AreaVectors&);
 
-template <Evaluation kEvaluation, Precision kPrecision>
+template <SumMethod kMethod, Precision kPrecision>
 std::unique_ptr<Objective> projected_area(const AreaVectors& vectors) {
-  return std::make_unique<ProjectedArea>(vectors, "mesh", kEvaluation, kPrecision);
+  return std::make_unique<ProjectedArea>(vectors, "mesh", kMethod, kPrecision);
 }
 
 void search(benchmark::State& state, const std::string& optimizer, MakeObjective make, std::size_t faces) {
   std::unique_ptr<Optimizer> search;
   try {
-    search = builtin_optimizers().make(optimizer);
+    search = all_optimizers().make(optimizer);
   } catch (const ParameterError&) {
     state.SkipWithError(("there is no optimizer " + optimizer).c_str());
     return;
@@ -38,10 +38,10 @@ void search(benchmark::State& state, const std::string& optimizer, MakeObjective
 void register_search_benchmarks() {
   const std::pair<const char*, MakeObjective> objectives[] = {
       {"naive", [](const AreaVectors& v) -> std::unique_ptr<Objective> { return std::make_unique<NaiveArea>(v); }},
-      {"flat_double", projected_area<Evaluation::kFlat, Precision::kDouble>},
-      {"flat_single", projected_area<Evaluation::kFlat, Precision::kSingle>},
-      {"tree", projected_area<Evaluation::kTree, Precision::kDouble>},
-      {"auto", projected_area<Evaluation::kAuto, Precision::kDouble>}};
+      {"flat_double", projected_area<SumMethod::kFlat, Precision::kDouble>},
+      {"flat_single", projected_area<SumMethod::kFlat, Precision::kSingle>},
+      {"tree", projected_area<SumMethod::kTree, Precision::kDouble>},
+      {"auto", projected_area<SumMethod::kAuto, Precision::kDouble>}};
   const auto add = [](const std::string& optimizer, const std::string& kind, MakeObjective make, std::size_t faces) {
     benchmark::RegisterBenchmark((optimizer + "/" + kind + pair("faces", faces)).c_str(), search, optimizer, make,
                                  faces)
@@ -51,7 +51,7 @@ void register_search_benchmarks() {
   for (const std::size_t faces : {20'000u, 1'000'000u})
     for (const auto& [kind, make] : objectives) add("ga", kind, make, faces);
   for (const std::size_t faces : {20'000u, 1'000'000u})
-    add("certify", "auto", projected_area<Evaluation::kAuto, Precision::kDouble>, faces);
+    add("certify", "auto", projected_area<SumMethod::kAuto, Precision::kDouble>, faces);
 }
 
 }  // namespace rectilin::bench

@@ -4,8 +4,8 @@
 
 #include "bench.h"
 #include "inputs.h"
+#include "rectilin/measure/direction_tree.h"
 #include "rectilin/measure/flat_sum.h"
-#include "rectilin/measure/normal_tree.h"
 #include "stopwatch.h"
 
 namespace rectilin::bench {
@@ -16,8 +16,8 @@ constexpr std::size_t kBatch = 150;  // a population of fifty rotations
 void build(benchmark::State& state, std::size_t faces, int thread_count) {
   const auto limit = threads(thread_count);
   const AreaVectors& vectors = smooth_vectors(faces);
-  for (auto _ : state) benchmark::DoNotOptimize(NormalTree(vectors).size());
-  const NormalTree tree(vectors);
+  for (auto _ : state) benchmark::DoNotOptimize(DirectionTree(vectors).size());
+  const DirectionTree tree(vectors);
   const auto size = static_cast<double>(vectors.size());
   state.counters["bytes_per_face"] = static_cast<double>(tree.bytes()) / size;
   state.counters["memory_ratio"] = 1 + static_cast<double>(tree.bytes()) / (24 * size);
@@ -34,7 +34,7 @@ void chain(benchmark::State& state, std::size_t faces, int thread_count) {
   Stopwatch sorting(clock), building(clock), summing(clock);
   for (auto _ : state) {
     AreaVectors vectors;
-    std::optional<NormalTree> tree;
+    std::optional<DirectionTree> tree;
     sorting.time([&] { vectors = area_vectors(mesh); });
     building.time([&] { tree.emplace(vectors); });
     summing.time([&] { flat.values(directions.next(), h); });
@@ -70,7 +70,7 @@ void query(benchmark::State& state, const AreaVectors& vectors, const std::vecto
            Query what, double coarse) {
   const auto limit = threads(1);
   const FlatSum flat(vectors);
-  const NormalTree tree(vectors);
+  const DirectionTree tree(vectors);
   Directions directions(all, batch);
   std::vector<double> h(batch);
   std::vector<Vector3> g(batch);

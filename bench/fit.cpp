@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "rectilin/experiments/statistics.h"
+#include "rectilin/laboratory/statistics.h"
 
 namespace rectilin::bench {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "rectilin/measure/shapes.h"
-#include "rectilin/optim/rotation.h"
+#include "rectilin/base/rotation.h"
+#include "rectilin/mesh/shapes.h"
 
 namespace rectilin::bench {
 

@@ -13,7 +13,7 @@ namespace rectilin::bench {
 /// could do if nothing but arithmetic counted.
 using RegisterLoop = double (*)(std::size_t rounds);
 
-/// Null if there is no such loop for this instruction set (a name of flat_sum_targets()).
+/// Null if there is no such loop for this instruction set (a name of instruction_sets()).
 RegisterLoop register_loop(const std::string& target, Precision precision);
 
 /// Reads three arrays of `size` doubles with the widest loads there are, requested ahead.

@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <iostream>
 
-#include "rectilin/experiments/csv.h"
-#include "rectilin/experiments/figure.h"
-#include "rectilin/measure/whole_file.h"
+#include "rectilin/base/whole_file.h"
+#include "rectilin/report/csv.h"
+#include "rectilin/report/plot.h"
 #include "report_results.h"
 
 namespace rectilin::bench {

@@ -1,7 +1,7 @@
 #include <array>
 #include <cstdio>
 
-#include "rectilin/experiments/figure.h"
+#include "rectilin/report/plot.h"
 #include "report_results.h"
 
 namespace rectilin::bench {
@@ -37,7 +37,7 @@ class Curves {
       }
       csv.row(cells);
     }
-    Figure(title, csv, {Panel{.title = "", .x = std::move(x), .y = std::move(y), .bands = {}, .curves = curves_}})
+    Plot(title, csv, {Panel{.title = "", .x = std::move(x), .y = std::move(y), .bands = {}, .curves = curves_}})
         .write(folder, name);
     rectilin::draw(folder, name);
   }

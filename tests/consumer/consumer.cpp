@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "rectilin/measure/projected_area.h"
-#include "rectilin/measure/shapes.h"
+#include "rectilin/mesh/shapes.h"
 #include "rectilin/optim/registry.h"
 #include "rectilin/optim/run_record.h"
 

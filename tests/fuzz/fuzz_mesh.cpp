@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "rectilin/measure/mesh_io.h"
+#include "rectilin/mesh/mesh_io.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "rectilin/measure/shapes.h"
+#include "rectilin/mesh/shapes.h"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "rectilin/measure/shapes.h"
 #include "rectilin/measure/verify.h"
+#include "rectilin/mesh/shapes.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const rectilin::Mesh mesh = rectilin::make_shape(rectilin::Spec::parse("pyramid"));

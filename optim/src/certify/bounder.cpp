@@ -1,7 +1,7 @@
-#include "bounder.h"
+#include "certify/bounder.h"
 
-#include "box_bound.h"
-#include "rectilin/optim/rotation.h"
+#include "certify/box_bound.h"
+#include "rectilin/base/rotation.h"
 
 namespace rectilin::bounding {
 

@@ -1,8 +1,8 @@
 // From cuts to a cell's bound.
 #pragma once
 
-#include "cell.h"
-#include "corner_game.h"
+#include "certify/cell.h"
+#include "certify/corner_game.h"
 
 namespace rectilin::bounding {
 

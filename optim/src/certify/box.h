@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "rectilin/optim/chart.h"
+#include "rectilin/optim/domain.h"
 
 namespace rectilin::bounding {
 
@@ -24,7 +24,7 @@ inline const std::array<Array8, 3> kCornerSigns = [] {
 struct Box {
   Eigen::Vector3d lower, upper;
 
-  /// The cube about the cubic fundamental zone: it holds every frame (see zone_chart()).
+  /// The cube about the cubic fundamental zone: it holds every frame (see zone_domain()).
   static Box zone() { return {Eigen::Vector3d::Constant(-kZoneHalfEdge), Eigen::Vector3d::Constant(kZoneHalfEdge)}; }
 
   Eigen::Vector3d centre() const { return 0.5 * (lower + upper); }

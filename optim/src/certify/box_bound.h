@@ -1,7 +1,7 @@
 // The bound on a box of Rodrigues vectors: the heart of the certificate.
 #pragma once
 
-#include "box.h"
+#include "certify/box.h"
 
 namespace rectilin::bounding {
 

@@ -1,11 +1,11 @@
-#include "branch_and_bound.h"
+#include "certify/branch_and_bound.h"
 
 #include <tbb/parallel_for.h>
 
 #include <cmath>
 
-#include "box_bound.h"
-#include "descent.h"
+#include "certify/box_bound.h"
+#include "certify/descent.h"
 
 namespace rectilin::bounding {
 namespace {

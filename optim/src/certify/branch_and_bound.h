@@ -5,13 +5,13 @@
 #include <optional>
 #include <span>
 
-#include "bounder.h"
-#include "cell_heap.h"
-#include "kink_ball.h"
-#include "proof_tree.h"
+#include "certify/bounder.h"
+#include "certify/cell_heap.h"
+#include "certify/kink_ball.h"
+#include "certify/proof_tree.h"
+#include "certify/sphere_minorants.h"
 #include "rectilin/optim/certify.h"
 #include "rectilin/optim/evaluator.h"
-#include "sphere_minorants.h"
 
 namespace rectilin::bounding {
 

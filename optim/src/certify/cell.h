@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "box.h"
+#include "certify/box.h"
 
 namespace rectilin::bounding {
 

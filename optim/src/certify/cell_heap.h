@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "cell.h"
+#include "certify/cell.h"
 
 namespace rectilin::bounding {
 

@@ -1,8 +1,8 @@
 #include "rectilin/optim/certify.h"
 
-#include "branch_and_bound.h"
-#include "optima.h"
-#include "polish.h"
+#include "certify/branch_and_bound.h"
+#include "certify/optima.h"
+#include "certify/polish.h"
 
 namespace rectilin {
 
@@ -57,6 +57,6 @@ CertifyResult certify(Evaluator& evaluator, const CertifyOptions& options, Certi
   return result;
 }
 
-void Certify::run(Evaluator& evaluator, const Chart&, Random&) const { certify(evaluator, options_); }
+void Certify::run(Evaluator& evaluator, const Domain&, Random&) const { certify(evaluator, options_); }
 
 }  // namespace rectilin

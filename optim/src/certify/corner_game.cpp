@@ -1,4 +1,4 @@
-#include "corner_game.h"
+#include "certify/corner_game.h"
 
 namespace rectilin::bounding {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "box.h"
+#include "certify/box.h"
 
 namespace rectilin::bounding {
 

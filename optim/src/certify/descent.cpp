@@ -1,9 +1,9 @@
-#include "descent.h"
+#include "certify/descent.h"
 
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "corner_game.h"
+#include "certify/corner_game.h"
 
 namespace rectilin::bounding {
 namespace {

@@ -1,4 +1,4 @@
-#include "kink_ball.h"
+#include "certify/kink_ball.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -17,7 +17,7 @@ constexpr std::size_t kMostFree = 200, kMostSummands = 24;
 constexpr double kCosineRounding = 0x1p-48;
 
 /// A face nearly parallel to axis k, with the sign that makes r_k . v nonnegative.
-struct FreeFace {
+struct FreeGenerator {
   double angle;    // to being parallel
   double product;  // r_k . v
   int axis;
@@ -35,7 +35,7 @@ using Extended = Eigen::Matrix<long double, 3, 1>;
 /// Sorts the faces at a frame into those with a sign and those that may be free, in one pass.
 struct Split {
   std::array<Extended, 3> settled = {Extended::Zero(), Extended::Zero(), Extended::Zero()};
-  std::vector<FreeFace> free;  // nearest to parallel first
+  std::vector<FreeGenerator> free;  // nearest to parallel first
   double total = 0;
 
   Split(const Generators& generators, const Rotation& frame) {
@@ -52,11 +52,11 @@ struct Split {
         else settled[k] += turned.cast<long double>();
       }
     }
-    std::ranges::stable_sort(free, {}, &FreeFace::angle);
+    std::ranges::stable_sort(free, {}, &FreeGenerator::angle);
   }
 };
 
-std::vector<Summand> merge_parallel(const Rotation& frame, const std::vector<FreeFace>& free, std::size_t count) {
+std::vector<Summand> merge_parallel(const Rotation& frame, const std::vector<FreeGenerator>& free, std::size_t count) {
   std::vector<Summand> summands;
   for (std::size_t i = 0; i < count; ++i) {
     const Eigen::Vector3d r = frame.axis(free[i].axis), moment = r.cross(free[i].v);
@@ -136,7 +136,7 @@ double kink_ball(const Generators& generators, const Rotation& centre, double va
   double best = 0;
   std::size_t previous = split.free.size() + 1;
   for (const double tolerance : kTolerances) {
-    const auto end = std::ranges::lower_bound(split.free, tolerance, {}, &FreeFace::angle);
+    const auto end = std::ranges::lower_bound(split.free, tolerance, {}, &FreeGenerator::angle);
     const auto count = static_cast<std::size_t>(end - split.free.begin());
     if (count == previous || count > kMostFree) continue;
     previous = count;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "box.h"
+#include "certify/box.h"
 #include "rectilin/optim/objective.h"
 
 namespace rectilin::bounding {

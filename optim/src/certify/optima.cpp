@@ -1,14 +1,14 @@
-#include "optima.h"
+#include "certify/optima.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <numeric>
 
-#include "bounder.h"
-#include "branch_and_bound.h"
-#include "descent.h"
-#include "kink_ball.h"
+#include "certify/bounder.h"
+#include "certify/branch_and_bound.h"
+#include "certify/descent.h"
+#include "certify/kink_ball.h"
 
 namespace rectilin::bounding {
 namespace {

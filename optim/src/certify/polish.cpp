@@ -1,10 +1,10 @@
-#include "polish.h"
+#include "certify/polish.h"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
-#include "descent.h"
+#include "certify/descent.h"
 
 namespace rectilin::bounding {
 namespace {
@@ -15,7 +15,7 @@ constexpr int kDescent = 20, kNewtonSteps = 8;
 constexpr double kIndependent = 0.1;  // sine of the angle between a condition and the span of those before
 
 struct Condition {
-  ActiveFace face;
+  ActiveGenerator face;
   Eigen::Vector3d normal;  // unit
   double length;           // the generator's
 };
@@ -94,7 +94,7 @@ Rotation solve(const std::vector<Condition>& conditions, Rotation frame) {
 
 }  // namespace
 
-std::vector<ActiveFace> polish(Evaluator& evaluator) {
+std::vector<ActiveGenerator> polish(Evaluator& evaluator) {
   Rotation start = evaluator.incumbent().rotation;
   descend(evaluator, start, evaluator.cut(start), kDescent, 0);
   start = evaluator.incumbent().rotation;
@@ -104,7 +104,7 @@ std::vector<ActiveFace> polish(Evaluator& evaluator) {
     if (!conditions.empty()) evaluator.value(solve(conditions, start));
   }
   const Rotation& end = evaluator.incumbent().rotation;
-  std::vector<ActiveFace> active;
+  std::vector<ActiveGenerator> active;
   for (const Condition& c : independent(faces.near_parallel(end, kParallelInTheEnd), end)) active.push_back(c.face);
   return active;
 }

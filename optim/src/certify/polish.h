@@ -13,6 +13,6 @@ namespace rectilin::bounding {
 ///
 /// Returns the conditions that hold at the incumbent afterwards, an independent set: three, or fewer if fewer were
 /// found, as on a surface of revolution.
-std::vector<ActiveFace> polish(Evaluator& evaluator);
+std::vector<ActiveGenerator> polish(Evaluator& evaluator);
 
 }  // namespace rectilin::bounding

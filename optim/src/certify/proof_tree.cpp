@@ -1,4 +1,4 @@
-#include "proof_tree.h"
+#include "certify/proof_tree.h"
 
 namespace rectilin::bounding {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cell.h"
-#include "corner_game.h"
+#include "certify/cell.h"
+#include "certify/corner_game.h"
 #include "rectilin/optim/certificate.h"
 
 namespace rectilin::bounding {

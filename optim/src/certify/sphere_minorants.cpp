@@ -1,4 +1,4 @@
-#include "sphere_minorants.h"
+#include "certify/sphere_minorants.h"
 
 #include <tbb/parallel_for.h>
 
@@ -39,7 +39,7 @@ class PatchSearch {
   PatchSearch(double tolerance, std::uint64_t& pairs) : tolerance_(tolerance), pairs_(pairs), pool_(kMaxDepth + 1) {}
 
   /// `settled` is the gradient of the faces not in the list; `upper` a value of h - l . u in the triangle.
-  double minimum(const FaceList& faces, const Eigen::Vector3d& settled, const Triangle3& p,
+  double minimum(const GeneratorList& faces, const Eigen::Vector3d& settled, const Triangle3& p,
                  const Eigen::Vector3d& slope, double upper) {
     upper_ = upper;
     slope_ = slope;
@@ -47,7 +47,7 @@ class PatchSearch {
   }
 
  private:
-  double search(const FaceList& faces, const Eigen::Vector3d& settled, const Triangle3& p, int depth) {
+  double search(const GeneratorList& faces, const Eigen::Vector3d& settled, const Triangle3& p, int depth) {
     const Eigen::Vector3d centre = centre_of(p);
     const Eigen::Vector3d gradient = settled + faces.cut(centre) - slope_;
     pairs_ += faces.size();
@@ -66,7 +66,7 @@ class PatchSearch {
   double tolerance_, upper_ = 0;
   std::uint64_t& pairs_;
   Eigen::Vector3d slope_;
-  std::vector<FaceList> pool_;
+  std::vector<GeneratorList> pool_;
 };
 
 }  // namespace
@@ -76,7 +76,7 @@ class SphereMinorants::Builder {
   Builder(SphereMinorants& result, double tolerance, const std::function<bool()>& stop)
       : result_(result), tolerance_(tolerance), stop_(stop) {}
 
-  std::uint64_t build(const FaceList& faces, const Eigen::Vector3d& settled, const Triangle3& p, int level,
+  std::uint64_t build(const GeneratorList& faces, const Eigen::Vector3d& settled, const Triangle3& p, int level,
                       std::size_t index) {
     if (stop_()) throw Stopped();
     Patch& patch = result_.levels_[level][index];
@@ -98,12 +98,12 @@ class SphereMinorants::Builder {
   }
 
  private:
-  std::uint64_t build_parts(const FaceList& faces, const Eigen::Vector3d& settled, Patch& patch, int level,
+  std::uint64_t build_parts(const GeneratorList& faces, const Eigen::Vector3d& settled, Patch& patch, int level,
                             std::size_t index) {
     const std::array<Triangle3, 4> parts = quarters(patch.corners);
     std::array<std::uint64_t, 4> pairs = {};
     const auto build_part = [&](std::size_t i) {
-      FaceList active;
+      GeneratorList active;
       const Eigen::Vector3d more = faces.split(parts[i], active);
       pairs[i] = faces.size() + build(active, settled + more, parts[i], level + 1, 4 * index + i);
     };
@@ -120,7 +120,8 @@ class SphereMinorants::Builder {
     return pairs[0] + pairs[1] + pairs[2] + pairs[3];
   }
 
-  static Eigen::Vector3d values_at_corners(const FaceList& faces, const Eigen::Vector3d& settled, const Triangle3& p) {
+  static Eigen::Vector3d values_at_corners(const GeneratorList& faces, const Eigen::Vector3d& settled,
+                                           const Triangle3& p) {
     Eigen::Vector3d h;
     for (int i = 0; i < 3; ++i) h[i] = (settled + faces.cut(p[i])).dot(p[i]);
     return h;
@@ -144,7 +145,7 @@ class SphereMinorants::Builder {
 SphereMinorants::SphereMinorants(const Generators& generators, int levels, double tolerance,
                                  const std::function<bool()>& stop) {
   for (int i = 0; i < levels; ++i) levels_.emplace_back(std::size_t{4} << (2 * i));
-  const FaceList all(generators);
+  const GeneratorList all(generators);
   double total = 0;
   for (std::size_t i = 0; i < generators.size(); ++i) total += generators[i].norm();
   // A sum of K terms, in whatever order, errs by at most K roundoffs of the sum of the lengths.
@@ -155,7 +156,7 @@ SphereMinorants::SphereMinorants(const Generators& generators, int levels, doubl
   const std::array<Triangle3, 4> upper = {Triangle3{x, y, z}, {y, -x, z}, {-x, -y, z}, {-y, x, z}};
   std::array<std::uint64_t, 4> pairs;
   tbb::parallel_for(std::size_t{0}, std::size_t{4}, [&](std::size_t i) {
-    FaceList active;
+    GeneratorList active;
     const Eigen::Vector3d settled = all.split(upper[i], active);
     pairs[i] = all.size() + builder.build(active, settled, upper[i], 0, i);
   });

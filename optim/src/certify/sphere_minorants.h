@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "cell.h"
-#include "face_list.h"
+#include "certify/cell.h"
+#include "certify/generator_list.h"
 
 namespace rectilin::bounding {
 

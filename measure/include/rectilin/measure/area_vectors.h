@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "rectilin/measure/mesh.h"
-#include "rectilin/optim/rotation.h"
+#include "rectilin/base/rotation.h"
+#include "rectilin/mesh/mesh.h"
 
 namespace rectilin {
 
@@ -23,7 +23,7 @@ using AlignedDoubles = std::vector<double, tbb::cache_aligned_allocator<double>>
 /// extent lies in [1/2, 1), or the longest vector about 1 if all are very short. Neither R nor any ratio of areas
 /// depends on it; `area()` undoes it.
 struct AreaVectors {
-  AlignedDoubles x, y, z;  ///< components, on one hemisphere, near ones side by side (as a normal tree wants them)
+  AlignedDoubles x, y, z;  ///< components, on one hemisphere, near ones side by side (as a direction tree wants them)
   double total = 0;        ///< S, the sum of all faces' areas, in the scaled unit
   int exponent = 0;        ///< true lengths are scaled lengths times 2^exponent
   std::size_t faces = 0;   ///< triangles of positive area that went in

@@ -72,17 +72,17 @@ class FlatSum {
 
 /// Instruction sets that this machine has and the library was built for, best first, e.g. {"AVX3",
 /// "AVX2"}.
-std::vector<std::string> flat_sum_targets();
+std::vector<std::string> instruction_sets();
 
-/// Restricts FlatSum and NormalTree objects made during its lifetime to one of flat_sum_targets().
+/// Restricts FlatSum and DirectionTree objects made during its lifetime to one of instruction_sets().
 /// For tests and benchmarks: no other thread may make such objects meanwhile. Throws
 /// std::invalid_argument for a name not in the list.
-class ScopedFlatSumTarget {
+class ScopedInstructionSet {
  public:
-  explicit ScopedFlatSumTarget(std::string_view name);
-  ~ScopedFlatSumTarget();
-  ScopedFlatSumTarget(const ScopedFlatSumTarget&) = delete;
-  ScopedFlatSumTarget& operator=(const ScopedFlatSumTarget&) = delete;
+  explicit ScopedInstructionSet(std::string_view name);
+  ~ScopedInstructionSet();
+  ScopedInstructionSet(const ScopedInstructionSet&) = delete;
+  ScopedInstructionSet& operator=(const ScopedInstructionSet&) = delete;
 };
 
 }  // namespace rectilin

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "rectilin/measure/area_vectors.h"
+#include "rectilin/measure/direction_tree.h"
 #include "rectilin/measure/flat_sum.h"
-#include "rectilin/measure/normal_tree.h"
 #include "rectilin/optim/objective.h"
 
 namespace rectilin {
@@ -15,10 +15,10 @@ namespace rectilin {
 inline double rectilinearity(double ratio) { return 3 / ratio - 2; }
 
 /// How the sums over the area vectors are formed. Either way they are exact up to rounding.
-enum class Evaluation {
-  kAuto,  ///< the tree where NormalTree::worthwhile(): the number of vectors alone decides
+enum class SumMethod {
+  kAuto,  ///< the tree where DirectionTree::worthwhile(): the number of vectors alone decides
   kFlat,  ///< FlatSum
-  kTree,  ///< NormalTree
+  kTree,  ///< DirectionTree
 };
 
 /// P(R)/S of a mesh, to be minimised over rotations; its merit is the rectilinearity.
@@ -27,7 +27,7 @@ enum class Evaluation {
 /// that of the flat sum; the tree, and the flat sum inside it, are in double precision.
 class ProjectedArea final : public Objective {
  public:
-  explicit ProjectedArea(AreaVectors vectors, std::string name = "mesh", Evaluation evaluation = Evaluation::kAuto,
+  explicit ProjectedArea(AreaVectors vectors, std::string name = "mesh", SumMethod evaluation = SumMethod::kAuto,
                          Precision precision = Precision::kDouble);
   ProjectedArea(const ProjectedArea&) = delete;  // the kernel refers to the vectors in place
   ProjectedArea& operator=(const ProjectedArea&) = delete;
@@ -48,13 +48,13 @@ class ProjectedArea final : public Objective {
   bool uses_tree() const { return use_tree_; }
 
  private:
-  const NormalTree& tree() const;
+  const DirectionTree& tree() const;
 
   AreaVectors vectors_;
   FlatSum flat_;
   mutable std::once_flag tree_once_;
   bool use_tree_;
-  mutable std::optional<NormalTree> tree_;  // made when first asked for
+  mutable std::optional<DirectionTree> tree_;  // made when first asked for
   std::string name_;
 };
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "rectilin/measure/mesh.h"
+#include "rectilin/mesh/mesh.h"
 
 namespace rectilin {
 

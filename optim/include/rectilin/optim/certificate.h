@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "rectilin/optim/parameters.h"
-#include "rectilin/optim/rotation.h"
+#include "rectilin/base/parameters.h"
+#include "rectilin/base/rotation.h"
 
 namespace rectilin {
 

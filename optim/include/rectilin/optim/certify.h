@@ -29,7 +29,7 @@ struct CertifyOptions {
 };
 
 /// A generator that is parallel to an axis of the frame: r_axis . v = 0.
-struct ActiveFace {
+struct ActiveGenerator {
   int axis;               ///< 0, 1 or 2
   std::size_t generator;  ///< index into Objective::generators()
 };
@@ -57,16 +57,16 @@ struct CertifyResult {
   };
 
   Incumbent incumbent;
-  double lower = 0;                ///< no rotation has a smaller value
-  bool closed = false;             ///< the gap asked for was reached, or the narrowest that rounding allows
-  std::uint64_t cells = 0;         ///< boxes bounded
-  std::uint64_t leaves = 0;        ///< boxes that needed no halving
-  std::size_t largest_heap = 0;    ///< boxes open at once, at most
-  double ball_angle = 0;           ///< radians round the incumbent that needed no boxes
-  int minorant_levels = 0;         ///< of the subdivided sphere; 0: not built
-  std::vector<Step> trajectory;    ///< one step for each change of value or lower
-  std::vector<ActiveFace> active;  ///< where polishing ended, three independent ones if there are
-  std::vector<Optimum> optima;     ///< if asked for, best first
+  double lower = 0;                     ///< no rotation has a smaller value
+  bool closed = false;                  ///< the gap asked for was reached, or the narrowest that rounding allows
+  std::uint64_t cells = 0;              ///< boxes bounded
+  std::uint64_t leaves = 0;             ///< boxes that needed no halving
+  std::size_t largest_heap = 0;         ///< boxes open at once, at most
+  double ball_angle = 0;                ///< radians round the incumbent that needed no boxes
+  int minorant_levels = 0;              ///< of the subdivided sphere; 0: not built
+  std::vector<Step> trajectory;         ///< one step for each change of value or lower
+  std::vector<ActiveGenerator> active;  ///< where polishing ended, three independent ones if there are
+  std::vector<Optimum> optima;          ///< if asked for, best first
 };
 
 /// Throws ParameterError if the objective has no cuts. With `certificate` the run records a proof that others can
@@ -83,9 +83,9 @@ class Certify final : public OptimizerWith<CertifyOptions> {
 
   std::string name() const override { return kName; }
   Capabilities capabilities() const override {
-    return {.uses_chart = false, .uses_random = false, .batches = true, .needs_cuts = true, .certifies = true};
+    return {.uses_domain = false, .uses_random = false, .batches = true, .needs_cuts = true, .certifies = true};
   }
-  void run(Evaluator& evaluator, const Chart& chart, Random& random) const override;
+  void run(Evaluator& evaluator, const Domain& domain, Random& random) const override;
 };
 
 }  // namespace rectilin

@@ -9,7 +9,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "rectilin/optim/fnv1a.h"
+#include "rectilin/base/fnv1a.h"
 #include "rectilin/optim/objective.h"
 
 namespace rectilin {

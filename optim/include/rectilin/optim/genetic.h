@@ -5,7 +5,7 @@
 
 namespace rectilin {
 
-/// Each individual is three chromosomes, binary codes of the coordinates in the chart's box; its fitness
+/// Each individual is three chromosomes, binary codes of the coordinates in the domain's box; its fitness
 /// is 1/value, the paper's S/P. The paper gives five numbers (the first five options) and leaves the rest
 /// open; the defaults for that are the textbook's simple genetic algorithm (Goldberg 1989, ch. 3): a
 /// roulette wheel, one crossover point a chromosome, plain binary codes; and the best individual survives.
@@ -38,7 +38,7 @@ class GeneticAlgorithm final : public OptimizerWith<GeneticOptions> {
 
   std::string name() const override { return kName; }
   Capabilities capabilities() const override { return {.batches = true}; }
-  void run(Evaluator& evaluator, const Chart& chart, Random& random) const override;
+  void run(Evaluator& evaluator, const Domain& domain, Random& random) const override;
 };
 
 }  // namespace rectilin

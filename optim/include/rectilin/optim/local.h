@@ -13,7 +13,7 @@ class LocalSearch {
 
   /// Searches from `start` until it has converged (which is no evidence of a minimum) or the budget
   /// is spent.
-  virtual void improve(const Rotation& start, Evaluator& evaluator, const Chart& chart, Random& random) const = 0;
+  virtual void improve(const Rotation& start, Evaluator& evaluator, const Domain& domain, Random& random) const = 0;
 };
 
 /// Where a local method starts if nobody says: the evaluator's incumbent or, if there is none, a
@@ -24,7 +24,7 @@ Rotation start_of(const Evaluator& evaluator, Random& random);
 /// is 0 (or 10,000 evaluations, if the budget has no limit). With `from_incumbent` the first start
 /// is start_of() instead.
 void improve_from_starts(const LocalSearch& local, int starts, bool from_incumbent, Evaluator& evaluator,
-                         const Chart& chart, Random& random);
+                         const Domain& domain, Random& random);
 
 /// Base of a local optimizer: write improve(), and run() follows.
 template <class Options>
@@ -32,8 +32,8 @@ class LocalOptimizerWith : public OptimizerWith<Options>, public LocalSearch {
  public:
   using OptimizerWith<Options>::OptimizerWith;
 
-  void run(Evaluator& evaluator, const Chart& chart, Random& random) const override {
-    improve(start_of(evaluator, random), evaluator, chart, random);
+  void run(Evaluator& evaluator, const Domain& domain, Random& random) const override {
+    improve(start_of(evaluator, random), evaluator, domain, random);
   }
 };
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "rectilin/optim/rotation.h"
+#include "rectilin/base/rotation.h"
 
 namespace rectilin {
 

@@ -4,17 +4,17 @@
 #include <memory>
 #include <string>
 
-#include "rectilin/optim/chart.h"
+#include "rectilin/base/parameters.h"
+#include "rectilin/base/random.h"
+#include "rectilin/optim/domain.h"
 #include "rectilin/optim/evaluator.h"
-#include "rectilin/optim/parameters.h"
-#include "rectilin/optim/random.h"
 
 namespace rectilin {
 
 /// What an optimizer is like and what it asks of an objective.
 struct Capabilities {
   bool deterministic = true;  ///< same seed and budget in evaluations, same trace, for any number of threads
-  bool uses_chart = true;     ///< searches the chart's box; otherwise it works on rotations themselves
+  bool uses_domain = true;    ///< searches the domain's box; otherwise it works on rotations themselves
   bool uses_random = true;    ///< the seed matters
   bool batches = false;       ///< asks for many values at a time
   bool needs_cuts = false;    ///< asks for cuts
@@ -43,7 +43,7 @@ class Optimizer {
 
   /// Searches until its own end or until evaluator.exhausted(). The result is the evaluator's incumbent.
   /// If the evaluator has an incumbent already, a local optimizer starts there and a global one may use it.
-  virtual void run(Evaluator& evaluator, const Chart& chart, Random& random) const = 0;
+  virtual void run(Evaluator& evaluator, const Domain& domain, Random& random) const = 0;
 };
 
 /// Throws ParameterError if `objective` does not offer what `optimizer` needs. run_optimizer() asks before it begins.

@@ -18,7 +18,7 @@ struct RunRecord {
   std::string objective;
   std::string optimizer;
   Json parameters;
-  std::string chart;
+  std::string domain;
   std::uint64_t seed = 0;
   Outcome outcome = Outcome::kFinished;
   std::string error;            ///< what a failed run said; its incumbent still stands
@@ -36,7 +36,7 @@ struct RunRecord {
 struct RunSettings {
   Budget budget = {};
   std::uint64_t seed = 1;
-  const Chart* chart = &covering_chart();
+  const Domain* domain = &covering_domain();
   std::stop_token stop = {};
 };
 

@@ -1,0 +1,88 @@
+// Tables of things that are made from text: optimizers, shapes, poses, views, descriptors.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "rectilin/base/parameters.h"
+
+namespace rectilin {
+
+/// Throws the ParameterError for a name that is not known: "no KIND 'NAME'; did you mean 'NEAREST'? There are ...".
+/// The nearest name is suggested if a few typing errors lead to it.
+[[noreturn]] void throw_unknown_name(std::string_view kind, std::string_view name,
+                                     const std::vector<std::string>& known);
+
+/// What can be made by name, with its settings: `NAME?key=value&key=value`, as Spec reads it.
+///
+/// Each entry has an options struct whose member `bind(Parameters&)` names its fields, and a function that makes a T
+/// of such options and of what else the caller hands over (`Context`):
+///
+///     Factory<Mesh> shapes("shape");
+///     shapes.add("box", "a cuboid", BoxOptions(), make_box);       // Mesh make_box(const BoxOptions&)
+///     const Mesh mesh = shapes.make("box?x=2");
+///
+/// A value type: copy a table and add your own entries. Const members are thread safe.
+template <class T, class... Context>
+class Factory {
+ public:
+  struct Entry {
+    std::string name, help;
+    std::vector<Parameters::Description> parameters;  ///< with their defaults
+    std::function<T(const Json& settings, Context... context)> make;
+  };
+
+  /// `kind` is what errors call an entry, in the singular.
+  explicit Factory(std::string kind) : kind_(std::move(kind)) {}
+
+  /// `make(options, context...)` makes the thing from `defaults` with the settings applied.
+  template <class Options, class Make>
+  Factory& add(std::string name, std::string help, Options defaults, Make make) {
+    Options shown = defaults;
+    Parameters table;
+    shown.bind(table);
+    auto from_settings = [name, defaults, make](const Json& settings, Context... context) -> T {
+      Options options = defaults;
+      Parameters fields;
+      options.bind(fields);
+      fields.set(settings, name);
+      return make(std::move(options), context...);
+    };
+    return add(Entry{std::move(name), std::move(help), table.describe(), std::move(from_settings)});
+  }
+
+  Factory& add(Entry entry) {
+    entries_.push_back(std::move(entry));
+    return *this;
+  }
+
+  /// Throws ParameterError for an unknown name or a setting that is not accepted.
+  T make(std::string_view text, Context... context) const {
+    const Spec spec = Spec::parse(text);
+    return find(spec.name).make(spec.settings, context...);
+  }
+
+  /// Throws ParameterError for an unknown name.
+  const Entry& find(std::string_view name) const {
+    const auto entry = std::ranges::find(entries_, name, &Entry::name);
+    if (entry == entries_.end()) {
+      std::vector<std::string> known;
+      for (const Entry& e : entries_) known.push_back(e.name);
+      throw_unknown_name(kind_, name, known);
+    }
+    return *entry;
+  }
+
+  /// In the order they were added.
+  const std::vector<Entry>& entries() const { return entries_; }
+
+ private:
+  std::string kind_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace rectilin

@@ -1,0 +1,10 @@
+// Which build of the library this is.
+#pragma once
+
+namespace rectilin {
+
+const char* version();     ///< such as "0.2.0"
+const char* compiler();    ///< that built it, such as "GNU 12.2.0"
+const char* build_type();  ///< CMake's, such as "Release"
+
+}  // namespace rectilin

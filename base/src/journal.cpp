@@ -1,0 +1,34 @@
+#include "rectilin/base/journal.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace rectilin {
+
+std::vector<Json> recover_journal(const std::filesystem::path& file) {
+  std::vector<Json> values;
+  std::uintmax_t whole = 0;  // bytes of complete lines
+  {
+    std::ifstream in(file, std::ios::binary);
+    for (std::string line; std::getline(in, line) && !in.eof();) {  // at the end of the file: no newline, cut off
+      values.push_back(Json::parse(line, nullptr, false));
+      if (values.back().is_discarded())
+        throw std::runtime_error(file.string() + ":line " + std::to_string(values.size()) + ": not JSON");
+      whole += line.size() + 1;
+    }
+  }
+  if (std::filesystem::exists(file) && std::filesystem::file_size(file) > whole)
+    std::filesystem::resize_file(file, whole);
+  return values;
+}
+
+Journal::Journal(const std::filesystem::path& file) : file_(file), stream_(file, std::ios::app | std::ios::binary) {
+  if (!stream_) throw std::runtime_error(file.string() + ": cannot be written");
+}
+
+void Journal::append(const Json& value) {
+  stream_ << to_text(value) + '\n' << std::flush;
+  if (!stream_) throw std::runtime_error(file_.string() + ": cannot be written (is the disk full?)");
+}
+
+}  // namespace rectilin

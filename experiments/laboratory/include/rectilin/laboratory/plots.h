@@ -1,0 +1,34 @@
+// The figures of a comparison.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rectilin/laboratory/summary.h"
+#include "rectilin/report/plot.h"
+
+namespace rectilin {
+
+/// Line style of every entry: a colour for each optimizer, a dash for each of its domains.
+std::vector<LineStyle> styles(const Plan& plan);
+
+/// Gap against cost on one mesh: medians of all entries in one picture.
+NamedPlot convergence_plot(const Results& results, std::size_t mesh, Cost unit);
+/// The same, a panel for each entry, with the band from the 10 % to the 90 % quantile.
+NamedPlot band_plot(const Results& results, std::size_t mesh, Cost unit);
+
+/// Empirical distribution of runtimes: the share of pairs (run, target) reached within a cost, over all meshes
+/// and targets() (Hansen et al. 2021).
+NamedPlot runtime_plot(const Results& results, Cost unit);
+
+/// Performance profile (Dolan and More 2002): for what share of the problems, pairs (mesh, target), is the
+/// expected running time within a factor of the best one's?
+NamedPlot profile_plot(const Results& results, const Summary& summary);
+
+/// log10 of the median final gap, entries by meshes.
+NamedPlot heat_plot(const Results& results, const Summary& summary);
+
+/// Letters, digits and dashes only, to be part of a file name.
+std::string slug(const std::string& text);
+
+}  // namespace rectilin

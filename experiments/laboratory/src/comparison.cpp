@@ -1,0 +1,252 @@
+#include "rectilin/laboratory/comparison.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <set>
+#include <tuple>
+
+#include "rectilin/base/folder_lock.h"
+#include "rectilin/base/journal.h"
+#include "rectilin/base/whole_file.h"
+#include "rectilin/laboratory/provenance.h"
+#include "rectilin/measure/projected_area.h"
+#include "rectilin/measure/verify.h"
+#include "rectilin/mesh/source.h"
+#include "rectilin/optim/run_record.h"
+
+namespace rectilin {
+namespace {
+
+namespace fs = std::filesystem;
+
+void store_plan(const Plan& plan, const fs::path& folder) {
+  const fs::path file = folder / "plan.json";
+  if (!fs::exists(file)) {
+    write_whole_file(file, to_text(to_json(plan), 2) + '\n');
+    return;
+  }
+  Plan stored;
+  try {
+    std::ifstream in(file);
+    stored = plan_from_json(Json::parse(in));
+  } catch (const Json::exception&) {
+    throw ParameterError(file.string() + ": is no plan of a comparison; choose another folder");
+  }
+  if (stored != plan)
+    throw ParameterError(folder.string() + " holds a comparison by another plan (" + difference(stored, plan) +
+                         "); choose another folder or remove it");
+}
+
+Json trace_json(const RunRecord& record, const Objective& objective) {
+  Json evaluations = Json::array(), seconds = Json::array(), merit = Json::array();
+  double best = std::numeric_limits<double>::infinity();
+  for (const TracePoint& point : record.trace) {
+    if (!(point.value < best)) continue;  // the bound rose, not the incumbent
+    best = point.value;
+    evaluations.push_back(point.evaluations);
+    seconds.push_back(std::round(point.seconds * 1e7) / 1e7);
+    merit.push_back(objective.merit(point.value));
+  }
+  return {{"evaluations", evaluations}, {"seconds", seconds}, {"merit", merit}};
+}
+
+/// A mesh of the plan with what is known of it.
+struct Problem {
+  std::string name, error;
+  std::string digest;  // of the mesh
+  std::optional<AreaVectors> vectors;
+  bool certified = false;
+};
+
+struct Task {
+  const Problem* problem;
+  const Entry* entry;
+  const Optimizer* optimizer;
+  int run;
+};
+
+class Comparison {
+ public:
+  Comparison(const Plan& plan, const fs::path& folder, const Registry& registry, const ComparisonSettings& settings)
+      : plan_(plan),
+        settings_(settings),
+        certifier_(registry.make(plan.certificate)),
+        meshes_(folder / "meshes.jsonl"),
+        runs_(folder / "runs.jsonl") {
+    for (const Entry& entry : plan.entries) optimizers_.push_back(registry.make(entry.spec));
+  }
+
+  ComparisonOutcome go(const std::vector<Json>& known_meshes, const std::vector<Json>& known_runs) {
+    for (const std::string& mesh : plan_.meshes) problems_.push_back(load(mesh));
+    for (const Json& line : known_meshes) recall(line);
+    for (const Json& line : known_runs) {
+      done_.emplace(line.at("mesh"), line.at("entry"), line.at("run"));
+      outcome_.failed_runs += line.at("outcome") == to_string(RunRecord::Outcome::kFailed);
+    }
+    plan_tasks();
+    for (Problem& problem : problems_)
+      if (!settings_.stop.stop_requested() && !problem.certified) certify(problem);
+    run_tasks();
+    outcome_.complete = progress_.done == progress_.total && std::ranges::all_of(problems_, &Problem::certified);
+    return std::move(outcome_);
+  }
+
+ private:
+  Problem load(const std::string& mesh) {
+    Problem problem{mesh, {}, {}, {}};
+    show("reading " + mesh);
+    try {
+      const Mesh loaded = load_mesh(mesh).mesh;
+      problem.vectors = area_vectors(loaded);
+      problem.digest = mesh_digest(loaded);
+    } catch (const std::exception& e) {
+      problem.error = e.what();
+      outcome_.mesh_errors.push_back(problem.error.starts_with(mesh) ? problem.error : mesh + ": " + problem.error);
+    }
+    return problem;
+  }
+
+  void recall(const Json& line) {
+    for (Problem& problem : problems_) {
+      if (problem.name != line.at("mesh")) continue;
+      problem.certified = true;
+      if (problem.vectors && line.value("digest", "") != problem.digest)
+        throw ParameterError(problem.name + " has changed since the comparison began; choose another folder");
+    }
+  }
+
+  void plan_tasks() {
+    for (const Problem& problem : problems_) {
+      if (!problem.vectors) continue;
+      for (int run = 0; run < plan_.runs; ++run) {
+        for (std::size_t i = 0; i < plan_.entries.size(); ++i) {
+          ++progress_.total;
+          const Task task{&problem, &plan_.entries[i], optimizers_[i].get(), run};
+          if (done_.contains({problem.name, task.entry->label, run})) ++progress_.done;
+          else work_left_ += work(task), tasks_.push_back(task);
+        }
+      }
+    }
+  }
+
+  /// Bounds R of the mesh as it is and writes its line.
+  void certify(Problem& problem) {
+    show("bounding the optimum of " + problem.name);
+    Json line = {{"mesh", problem.name}};
+    if (problem.vectors) {
+      const ProjectedArea objective(*problem.vectors, problem.name);
+      RunSettings settings;
+      settings.seed = plan_.seed;
+      settings.stop = settings_.stop;
+      const RunRecord record = run_optimizer(*certifier_, objective, settings);
+      if (record.outcome == RunRecord::Outcome::kStopped) return;
+      line.update({{"faces", problem.vectors->faces},
+                   {"directions", problem.vectors->size()},
+                   {"area", problem.vectors->area()},
+                   {"digest", problem.digest},
+                   {"certificate", to_json(record)}});
+    } else {
+      line["error"] = problem.error;
+    }
+    meshes_.append(line);
+    problem.certified = true;
+  }
+
+  void run_tasks() {
+    const std::size_t at_once = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    begin_ = std::chrono::steady_clock::now();
+    show("");
+    using Finished = std::pair<std::size_t, std::shared_ptr<const Json>>;  // place in tasks_, line
+    std::size_t next = 0;
+    const auto take = [&](tbb::flow_control& flow) {
+      if (next == tasks_.size() || settings_.stop.stop_requested()) flow.stop();
+      return next++;
+    };
+    // An arena of one thread keeps a run's inner loops on the thread that began it, so its times are its own.
+    const auto perform = [&](std::size_t i) {
+      std::shared_ptr<const Json> line;
+      tbb::task_arena(1).execute([&] { line = std::make_shared<Json>(perform_run(tasks_[i])); });
+      return Finished(i, line);
+    };
+    const auto keep = [&](const Finished& finished) {
+      if (!finished.second->is_null()) record_run(tasks_[finished.first], *finished.second);
+    };
+    tbb::parallel_pipeline(at_once, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, take) &
+                                        tbb::make_filter<std::size_t, Finished>(tbb::filter_mode::parallel, perform) &
+                                        tbb::make_filter<Finished, void>(tbb::filter_mode::serial_out_of_order, keep));
+  }
+
+  /// The run's line; null if it was stopped.
+  Json perform_run(const Task& task) const {
+    const Instance problem = instance(plan_.seed, task.problem->name, task.run);
+    const ProjectedArea objective(rotated(*task.problem->vectors, problem.rotation), task.problem->name);
+    RunSettings settings;
+    settings.budget.evaluations = plan_.budget;
+    settings.seed = problem.run_seed;
+    settings.domain = &domain_by_name(task.entry->domain);
+    settings.stop = settings_.stop;
+    const RunRecord record = run_optimizer(*task.optimizer, objective, settings);
+    if (record.outcome == RunRecord::Outcome::kStopped) return nullptr;
+    Json line = {{"mesh", task.problem->name}, {"entry", task.entry->label}, {"run", task.run}};
+    line.update(to_json(record));
+    line["instance"] = to_json(problem.rotation);
+    line["trace"] = trace_json(record, objective);
+    return line;
+  }
+
+  void record_run(const Task& task, const Json& line) {
+    runs_.append(line);
+    outcome_.failed_runs += line.at("outcome") == to_string(RunRecord::Outcome::kFailed);
+    ++progress_.done;
+    work_done_ += work(task);
+    work_left_ -= work(task);
+    const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    progress_.seconds_left = elapsed / work_done_ * work_left_;
+    show(task.entry->label + " on " + task.problem->name);
+  }
+
+  /// How long a run may take, in any unit: the optimizers' own work is worth some hundred directions.
+  static double work(const Task& task) { return 300 + static_cast<double>(task.problem->vectors->size()); }
+
+  void show(std::string text) {
+    progress_.text = std::move(text);
+    if (settings_.on_progress) settings_.on_progress(progress_);
+  }
+
+  const Plan& plan_;
+  const ComparisonSettings& settings_;
+  std::unique_ptr<Optimizer> certifier_;
+  std::vector<std::unique_ptr<Optimizer>> optimizers_;
+  std::vector<Problem> problems_;
+  std::set<std::tuple<std::string, std::string, int>> done_;
+  std::vector<Task> tasks_;
+  Journal meshes_, runs_;
+  ComparisonOutcome outcome_;
+  ComparisonProgress progress_;
+  double work_done_ = 0, work_left_ = 0;
+  std::chrono::steady_clock::time_point begin_;
+};
+
+}  // namespace
+
+ComparisonOutcome run_comparison(const Plan& plan, const fs::path& folder, const Registry& registry,
+                                 const ComparisonSettings& settings) {
+  check(plan, registry);
+  fs::create_directories(folder);
+  const FolderLock lock(folder);
+  store_plan(plan, folder);
+  record_start(plan, registry, folder, settings.command_line);
+  const std::vector<Json> meshes = recover_journal(folder / "meshes.jsonl");
+  const std::vector<Json> runs = recover_journal(folder / "runs.jsonl");
+  return Comparison(plan, folder, registry, settings).go(meshes, runs);
+}
+
+}  // namespace rectilin

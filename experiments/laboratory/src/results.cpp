@@ -1,0 +1,155 @@
+#include "rectilin/laboratory/results.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+
+#include "rectilin/base/journal.h"
+#include "rectilin/measure/projected_area.h"
+
+namespace rectilin {
+namespace {
+
+namespace fs = std::filesystem;
+
+double number(const Json& json) {
+  return json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+Rotation rotation_from_json(const Json& rows) {
+  Eigen::Matrix3d m;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) m(i, j) = rows.at(i).at(j).get<double>();
+  return Rotation::from_matrix(m);
+}
+
+MeshResult mesh_from_json(const Json& line) {
+  MeshResult mesh;
+  mesh.name = line.at("mesh").get<std::string>();
+  if (line.contains("error")) {
+    mesh.error = line.at("error").get<std::string>();
+    return mesh;
+  }
+  line.at("faces").get_to(mesh.faces);
+  line.at("directions").get_to(mesh.directions);
+  mesh.area = number(line.at("area"));  // null if out of range
+  const Json& proof = line.at("certificate");
+  const double bound = number(proof.at("lower"));
+  mesh.upper = rectilinearity(std::isnan(bound) ? 1.0 : std::max(bound, 1.0));  // S <= P holds for any mesh
+  const double found = number(proof.at("merit"));
+  mesh.lower = std::isnan(found) ? rectilinearity(std::sqrt(3.0)) : std::min(found, mesh.upper);
+  mesh.rotation = rotation_from_json(proof.at("rotation"));
+  mesh.evaluations = number(proof.at("evaluations"));
+  mesh.seconds = number(proof.at("seconds"));
+  return mesh;
+}
+
+Trace trace_from_json(const Json& json, const MeshResult& mesh) {
+  Trace trace;
+  trace.worst = mesh.upper - rectilinearity(std::sqrt(3.0));
+  json.at("evaluations").get_to(trace.evaluations);
+  json.at("seconds").get_to(trace.seconds);
+  for (const Json& merit : json.at("merit"))
+    trace.gap.push_back(std::max(mesh.upper - merit.get<double>(), mesh.width()));
+  return trace;
+}
+
+RunResult run_from_json(Json line, const Results& results) {
+  RunResult run;
+  const auto index = [](const auto& list, auto member, const Json& name) {
+    const auto found = std::ranges::find(list, name.get<std::string>(), member);
+    if (found == list.end()) throw std::runtime_error("runs.jsonl: " + name.dump() + " is not in the plan");
+    return static_cast<std::size_t>(found - list.begin());
+  };
+  run.mesh = index(results.meshes, &MeshResult::name, line.at("mesh"));
+  run.entry = index(results.plan.entries, &Entry::label, line.at("entry"));
+  line.at("run").get_to(run.run);
+  run.failed = line.at("outcome") == "failed";
+  run.merit = number(line.at("merit"));
+  // R (Q v) = (R Q) v: what was found on the turned mesh, turned back.
+  run.rotation = reduce_to_zone(rotation_from_json(line.at("rotation")) * rotation_from_json(line.at("instance")));
+  run.evaluations = number(line.at("evaluations"));
+  run.seconds = number(line.at("seconds"));
+  run.cpu_seconds = number(line.at("cpu_seconds"));
+  run.trace = trace_from_json(line.at("trace"), results.meshes[run.mesh]);
+  line.erase("trace");
+  run.record = std::move(line);
+  return run;
+}
+
+}  // namespace
+
+double MeshResult::width() const { return std::max(upper - lower, kLeastGap); }
+
+double Trace::gap_after(Cost unit, double spent) const {
+  const std::vector<double>& steps = cost(unit);
+  const auto after = std::ranges::upper_bound(steps, spent);
+  return after == steps.begin() ? worst : gap[static_cast<std::size_t>(after - steps.begin()) - 1];
+}
+
+double Trace::cost_to(Cost unit, double target) const {
+  const auto step = std::ranges::find_if(gap, [&](double g) { return g <= target; });
+  if (step == gap.end()) return std::numeric_limits<double>::infinity();
+  return cost(unit)[static_cast<std::size_t>(step - gap.begin())];
+}
+
+std::vector<const RunResult*> Results::of(std::size_t mesh, std::size_t entry) const {
+  std::vector<const RunResult*> found;
+  for (const RunResult& run : runs)
+    if (run.mesh == mesh && run.entry == entry) found.push_back(&run);
+  return found;
+}
+
+std::vector<std::string> titles(const std::vector<std::string>& sources) {
+  std::vector<std::string> result;
+  std::map<std::string, int> count;
+  for (const std::string& source : sources) {
+    const bool shape = source.starts_with("shape:");
+    result.push_back(shape ? source.substr(6) : fs::path(source).stem().string());
+    ++count[result.back()];
+  }
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    if (count[result[i]] > 1) result[i] = sources[i];
+  return result;
+}
+
+Results load_results(const fs::path& folder) {
+  Results results;
+  std::ifstream in(folder / "plan.json");
+  if (!in) throw std::runtime_error(folder.string() + ": holds no comparison (there is no plan.json)");
+  results.plan = plan_from_json(Json::parse(in));
+
+  const std::vector<std::string> title = titles(results.plan.meshes);
+  std::map<std::string, MeshResult> known;
+  for (const Json& line : recover_journal(folder / "meshes.jsonl")) {
+    MeshResult mesh = mesh_from_json(line);
+    known[mesh.name] = mesh;
+  }
+  for (std::size_t i = 0; i < title.size(); ++i) {
+    MeshResult mesh = known[results.plan.meshes[i]];
+    if (mesh.name.empty()) mesh.error = "not measured yet";
+    mesh.name = results.plan.meshes[i];
+    mesh.title = title[i];
+    results.meshes.push_back(std::move(mesh));
+  }
+  std::set<std::tuple<std::size_t, std::size_t, int>> seen;
+  for (Json& line : recover_journal(folder / "runs.jsonl")) {
+    RunResult run = run_from_json(std::move(line), results);
+    if (seen.emplace(run.mesh, run.entry, run.run).second) results.runs.push_back(std::move(run));
+  }
+  std::ranges::sort(results.runs, {}, [](const RunResult& r) { return std::tuple(r.mesh, r.entry, r.run); });
+  std::vector<double> best;  // a run can beat the rotation that came with the certificate
+  for (const MeshResult& mesh : results.meshes) best.push_back(mesh.lower);
+  for (const RunResult& run : results.runs) {
+    if (!(run.merit > best[run.mesh])) continue;
+    best[run.mesh] = run.merit;
+    results.meshes[run.mesh].rotation = run.rotation;
+  }
+  return results;
+}
+
+}  // namespace rectilin

@@ -1,0 +1,65 @@
+// From a claim's id to its test.
+#include <utility>
+
+#include "claims/definition.h"
+#include "claims/inequalities.h"
+#include "claims/known_values.h"
+#include "claims/lemma1.h"
+#include "claims/range_of_r.h"
+#include "claims/rectilinear.h"
+#include "claims/robustness.h"
+#include "claims/search_cost.h"
+#include "claims/search_domain.h"
+
+namespace rectilin::claims_detail {
+
+const std::vector<ClaimTest>& claim_tests() {
+  using S = const TestMesh&;
+  using Found = std::optional<Finding>;
+  using Several = std::vector<Finding>;
+  static const std::vector<ClaimTest> tests{
+      {"definition", [](S s, Random r) -> Found { return check_definition(s, std::move(r), rotation_from_euler); }},
+      {"euler-angles", nullptr,
+       [](Random r) -> Several { return {check_convention(std::move(r), rotation_from_euler)}; }},
+      {"eq-22", [](S s, Random r) -> Found { return check_angles(s, std::move(r)); }},
+      {"eq-8", [](S s, Random r) -> Found { return check_lower_per_face(s, std::move(r)); }},
+      {"eq-9", [](S s, Random r) -> Found { return check_upper_per_face(s, std::move(r)); }},
+      {"eq-12", [](S s, Random r) -> Found { return check_bounds_of_mesh(s, std::move(r)); }},
+      {"theorem-1-if", [](S s, Random) -> Found { return check_rectilinear_gives_equality(s); }},
+      {"theorem-1-only-if", [](S s, Random) -> Found { return check_equality_gives_rectilinear(s); }},
+      {"near-rectilinear", nullptr, check_tilted_top},
+      {"theorem-2-1", [](S s, Random) -> Found { return check_positive(s); }},
+      {"theorem-2-2", nullptr, check_octahedral_spheres},
+      {"eq-24", [](S s, Random) -> Found { return check_mean(s); }},
+      {"theorem-3-1", [](S s, Random) -> Found { return check_range(s); }},
+      {"theorem-3-2", [](S s, Random) -> Found { return check_one_iff_rectilinear(s); }, check_known_shapes},
+      {"theorem-3-3", nullptr, check_even_spheres},
+      {"theorem-3-4", [](S s, Random r) -> Found { return check_similarity(s, std::move(r)); }},
+      {"lemma-1", [](S s, Random r) -> Found { return check_not_constant(s, std::move(r)); }},
+      {"eq-41", [](S s, Random r) -> Found { return check_second_difference(s, std::move(r)); }},
+      {"eq-28", [](S s, Random) -> Found { return check_paper_box(s); }},
+      {"eq-28-turned", [](S s, Random r) -> Found { return check_paper_box_in_another_pose(s, std::move(r)); }},
+      {"eq-28-cubes", nullptr, check_cubes_on_paper_box},
+      {"eq-28-share", nullptr, check_three_quarters},
+      {"eq-28-covering",
+       [](S s, Random r) -> Found { return check_domain_on_mesh(s, std::move(r), covering_domain()); },
+       [](Random r) -> Several { return {check_chart(std::move(r), covering_domain())}; }},
+      {"eq-28-zone", [](S s, Random r) -> Found { return check_domain_on_mesh(s, std::move(r), zone_domain()); },
+       [](Random r) -> Several { return {check_chart(std::move(r), zone_domain())}; }},
+      {"linear-cost", nullptr, check_linear_cost},
+      {"stable-150", [](S s, Random r) -> Found { return check_stable(s, std::move(r)); }, check_stable_on_shapes, 0.5},
+      {"stable-150-always", nullptr, check_always_stable},
+      {"stability", [](S s, Random r) -> Found { return check_stability(s, std::move(r)); }},
+      {"noise-at-any-scale", nullptr, check_noise_on_fine_box},
+      {"deletion", check_deletion, check_deletion_on_large_shapes},
+      {"deletion-law", check_deletion_law},
+      {"deletion-small", nullptr, check_deletion_on_small_shape},
+      {"simplification", nullptr, check_simplification},
+      {"pyramid", nullptr, check_pyramid},
+      {"stepped-pyramid", nullptr, check_stepped_pyramids},
+      {"closed-forms", nullptr, check_closed_forms},
+  };
+  return tests;
+}
+
+}  // namespace rectilin::claims_detail

@@ -1,0 +1,28 @@
+// The tests of the claims, by id. Each group of claims is a file of its own.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "claims/test_mesh.h"
+#include "rectilin/base/random.h"
+#include "rectilin/paper/claims.h"
+
+namespace rectilin::claims_detail {
+
+/// How a claim is tested. Tests are pure functions of their arguments, safe to call from many
+/// threads.
+struct ClaimTest {
+  std::string_view claim;
+  /// On any mesh; may be null. Nothing found: the claim does not apply to this mesh.
+  std::optional<Finding> (*on_mesh)(const TestMesh& tested, Random random) = nullptr;
+  /// On shapes of the claim's own; may be null.
+  std::vector<Finding> (*on_shapes)(Random random) = nullptr;
+  /// Share of the findings that may be worse than the decisive one: 0 where the claim is about
+  /// every case.
+  double quantile = 0;
+};
+
+const std::vector<ClaimTest>& claim_tests();
+
+}  // namespace rectilin::claims_detail

@@ -1,0 +1,209 @@
+// Runs the tests of claims on meshes and on shapes of their own.
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <mutex>
+
+#include "claims/tests.h"
+#include "rectilin/base/fnv1a.h"
+#include "rectilin/mesh/source.h"
+#include "rectilin/paper/claims.h"
+
+namespace rectilin {
+namespace {
+
+using namespace claims_detail;
+
+/// A stream of random numbers for a claim and a mesh that does not depend on what else is tested.
+Random stream(std::uint64_t seed, std::string_view claim, std::string_view source) {
+  return Random(seed).fork(Fnv1a().add(claim).add("\n").add(source).value());
+}
+
+struct Job {
+  const Claim* claim;
+  const ClaimTest* test;
+};
+
+std::vector<Job> jobs_for(const std::vector<std::string>& wanted) {
+  for (const std::string& id : wanted)
+    if (std::ranges::none_of(claims(), [&](const Claim& claim) { return claim.id == id; }))
+      throw ParameterError("no claim '" + id + "'; 'rectilin validate --list' shows them");
+  std::vector<Job> jobs;
+  for (const Claim& claim : claims()) {
+    if (!wanted.empty() && std::ranges::find(wanted, claim.id) == wanted.end()) continue;
+    const auto test = std::ranges::find(claim_tests(), claim.id, &ClaimTest::claim);
+    if (test == claim_tests().end()) throw std::logic_error("claim " + claim.id + " has no test");
+    jobs.push_back({&claim, &*test});
+  }
+  return jobs;
+}
+
+/// Findings of a claim as they come, and in the end the one that decides.
+class Tally {
+ public:
+  void add(Finding finding) {
+    // Only the worst can need its mesh, which may be large.
+    if (!findings_.empty() && findings_[worst_].margin <= finding.margin) finding.mesh.reset();
+    else if (!findings_.empty()) findings_[worst_].mesh.reset(), worst_ = findings_.size();
+    findings_.push_back(std::move(finding));
+  }
+
+  ClaimResult conclude(const Claim& claim, double quantile) {
+    ClaimResult result;
+    result.claim = &claim;
+    result.tested = findings_.size();
+    if (findings_.empty()) return result;
+    result.failed = static_cast<std::size_t>(
+        std::ranges::count_if(findings_, [&](const Finding& f) { return f.margin < -claim.tolerance; }));
+    std::ranges::stable_sort(findings_, {}, &Finding::margin);
+    result.decisive = findings_[static_cast<std::size_t>(quantile * static_cast<double>(findings_.size()))];
+    const double margin = result.decisive.margin;
+    result.verdict = margin < -claim.tolerance   ? ClaimVerdict::kFails
+                     : margin <= claim.tolerance ? ClaimVerdict::kHolds
+                                                 : ClaimVerdict::kHoldsWithMargin;
+    return result;
+  }
+
+ private:
+  std::vector<Finding> findings_;
+  std::size_t worst_ = 0;
+};
+
+class Run {
+ public:
+  Run(const std::vector<std::string>& sources, const ValidationSettings& settings)
+      : settings_(settings), jobs_(jobs_for(settings.claims)), tallies_(jobs_.size()) {
+    if (std::ranges::any_of(jobs_, [](const Job& job) { return job.test->on_mesh != nullptr; })) sources_ = sources;
+    steps_ = sources_.size() + jobs_.size();
+  }
+
+  Validation go() {
+    test_shapes();
+    test_meshes();
+    validation_.complete = !settings_.stop.stop_requested();
+    for (std::size_t i = 0; i < jobs_.size(); ++i)
+      validation_.results.push_back(tallies_[i].conclude(*jobs_[i].claim, jobs_[i].test->quantile));
+    return std::move(validation_);
+  }
+
+ private:
+  /// What one mesh gave: a finding for each job that applies to it, or an error.
+  struct Tested {
+    std::vector<std::optional<Finding>> findings;
+    std::string error;
+  };
+
+  void test_shapes() {
+    tbb::parallel_for(std::size_t{0}, jobs_.size(), [&](std::size_t i) {
+      if (settings_.stop.stop_requested()) return;
+      const Job& job = jobs_[i];
+      if (job.test->on_shapes) {
+        tbb::this_task_arena::isolate([&] {
+          for (Finding& finding : job.test->on_shapes(stream(settings_.seed, job.claim->id, {})))
+            tallies_[i].add(std::move(finding));
+        });
+      }
+      step(job.claim->id);
+    });
+  }
+
+  void test_meshes() {
+    const std::size_t at_once = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    std::size_t next = 0;
+    const auto take = [&](tbb::flow_control& flow) {
+      if (next == sources_.size() || settings_.stop.stop_requested()) flow.stop();
+      return next++;
+    };
+    const auto test = [&](std::size_t i) {
+      std::shared_ptr<Tested> tested;
+      tbb::this_task_arena::isolate([&] { tested = std::make_shared<Tested>(test_mesh(sources_[i])); });
+      step(sources_[i]);
+      return tested;
+    };
+    // In order, so that what is found first among equals does not depend on threads.
+    const auto keep = [&](const std::shared_ptr<Tested>& tested) {
+      if (!tested->error.empty()) validation_.errors.push_back(tested->error);
+      for (std::size_t i = 0; i < tested->findings.size(); ++i)
+        if (tested->findings[i]) tallies_[i].add(std::move(*tested->findings[i]));
+    };
+    tbb::parallel_pipeline(
+        at_once, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, take) &
+                     tbb::make_filter<std::size_t, std::shared_ptr<Tested>>(tbb::filter_mode::parallel, test) &
+                     tbb::make_filter<std::shared_ptr<Tested>, void>(tbb::filter_mode::serial_in_order, keep));
+  }
+
+  Tested test_mesh(const std::string& source) const {
+    Tested tested;
+    try {
+      const TestMesh mesh = make_test_mesh(source);
+      for (const Job& job : jobs_) {
+        tested.findings.emplace_back();
+        if (job.test->on_mesh)
+          tested.findings.back() = job.test->on_mesh(mesh, stream(settings_.seed, job.claim->id, source));
+      }
+    } catch (const std::exception& e) {
+      tested.findings.clear();
+      tested.error = e.what();
+      if (!tested.error.starts_with(source)) tested.error.insert(0, source + ": ");
+    }
+    return tested;
+  }
+
+  void step(const std::string& what) {
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    if (settings_.on_progress) settings_.on_progress(done_, steps_, what);
+  }
+
+  const ValidationSettings& settings_;
+  std::vector<Job> jobs_;
+  std::vector<std::string> sources_;
+  std::vector<Tally> tallies_;
+  Validation validation_;
+  std::size_t done_ = 0, steps_ = 0;
+  std::mutex mutex_;
+};
+
+}  // namespace
+
+bool Validation::as_expected() const {
+  return std::ranges::none_of(results, [](const ClaimResult& result) {
+    return result.claim->should_hold && result.verdict == ClaimVerdict::kFails;
+  });
+}
+
+Validation validate(const std::vector<std::string>& sources, const ValidationSettings& settings) {
+  return Run(sources.empty() ? validation_shapes() : expand_folders(sources), settings).go();
+}
+
+const std::vector<std::string>& validation_shapes() {
+  static const std::vector<std::string> shapes{
+      "shape:box",
+      "shape:box?x=2&y=0.3&rotate=random&seed=2",
+      "shape:lshape?rotate=random&seed=3",
+      "shape:stairs?steps=7&rotate=random&seed=4",
+      "shape:stepped-pyramid?rotate=random&seed=5",
+      "shape:pyramid",
+      "shape:pyramid?height=0.4&rotate=random&seed=6",
+      "shape:prism?sides=3&rotate=random&seed=7",
+      "shape:prism?sides=5&caps=false",
+      "shape:prism?sides=8&height=3",
+      "shape:cylinder?rotate=random&seed=8",
+      "shape:cut-cube",
+      "shape:filleted-cube?rotate=random&seed=9",
+      "shape:sphere?subdivisions=0",
+      "shape:sphere?subdivisions=3",
+      "shape:ellipsoid?faces=2000",
+      "shape:torus?rotate=random&seed=10",
+      "shape:blob?faces=5000",
+      "shape:box?faces=2000&noise=0.001&rotate=random&seed=11",
+      "shape:soup?faces=1",
+      "shape:soup?faces=300&seed=12",
+  };
+  return shapes;
+}
+
+}  // namespace rectilin

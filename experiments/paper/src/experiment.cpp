@@ -1,0 +1,62 @@
+#include "rectilin/paper/experiment.h"
+
+#include "figures/experiments.h"
+#include "rectilin/base/whole_file.h"
+#include "rectilin/laboratory/provenance.h"
+
+namespace rectilin {
+
+const std::vector<Experiment>& experiments() {
+  using namespace figures;
+  static const std::vector<Experiment> all{
+      fig1(),  fig5(),  fig6(),  fig7(),  fig8(),  fig9(), fig10(),
+      fig11(), fig12(), fig13(), fig14(), fig15(), gap(),  shortfall(),
+  };
+  return all;
+}
+
+const Experiment& find_experiment(const std::string& name) {
+  std::string names;
+  for (const Experiment& experiment : experiments()) {
+    if (experiment.name == name) return experiment;
+    names.append(names.empty() ? "" : ", ").append(experiment.name);
+  }
+  throw ParameterError("no experiment '" + name + "'; there are " + names);
+}
+
+ExperimentOutcome run_experiment(const Experiment& experiment, const Json& settings, const ExperimentContext& context,
+                                 const std::filesystem::path& folder, const std::string& command_line) {
+  if (!context.meshes.empty() && experiment.takes.empty())
+    throw ParameterError(experiment.name + " makes its own meshes and takes no others");
+  const ExperimentResult result = experiment.run(settings, context);
+
+  std::filesystem::create_directories(folder);
+  Json pictures = Json::array();
+  std::vector<std::string> names;
+  for (const Sheet& sheet : result.sheets) {
+    sheet.data.write(folder / (sheet.name + ".csv"));
+    write_whole_file(folder / (sheet.name + ".svg"), sheet.svg);
+    pictures.push_back({{"name", sheet.name}, {"caption", sheet.caption}, {"width", sheet.width}});
+  }
+  for (const NamedPlot& plot : result.plots) {
+    plot.plot.write(folder, plot.name);
+    names.push_back(plot.name);
+    pictures.push_back({{"name", plot.name}, {"caption", plot.caption}, {"width", plot.plot.width()}});
+  }
+  const Json all = {{"experiment", experiment.name},
+                    {"title", experiment.title},
+                    {"says", result.says},
+                    {"settings", settings},
+                    {"seed", context.seed},
+                    {"gap", context.gap},
+                    {"meshes", context.meshes},
+                    {"data", result.data},
+                    {"errors", result.errors},
+                    {"pictures", pictures},
+                    {"provenance", provenance(command_line)}};
+  // Names of files may be in no encoding at all: what is not UTF-8 is replaced.
+  write_whole_file(folder / (experiment.name + ".json"), to_text(all, 1) + '\n');
+  return {result.says, result.errors, draw_all(folder, names)};
+}
+
+}  // namespace rectilin

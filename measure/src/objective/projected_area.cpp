@@ -1,0 +1,74 @@
+#include "rectilin/measure/projected_area.h"
+
+#include <algorithm>
+#include <array>
+
+namespace rectilin {
+namespace {
+
+/// Rotations of one pass: enough to fill every thread, few enough to stay on the stack and in cache.
+constexpr std::size_t kPass = 256;
+
+}  // namespace
+
+ProjectedArea::ProjectedArea(AreaVectors vectors, std::string name, SumMethod evaluation, Precision precision)
+    : vectors_(std::move(vectors)),
+      flat_(vectors_, precision),
+      use_tree_(evaluation == SumMethod::kTree ||
+                (evaluation == SumMethod::kAuto && DirectionTree::worthwhile(vectors_.size()))),
+      name_(std::move(name)) {}
+
+const DirectionTree& ProjectedArea::tree() const {
+  std::call_once(tree_once_, [this] { tree_.emplace(vectors_); });
+  return *tree_;
+}
+
+void ProjectedArea::values(std::span<const Rotation> rotations, std::span<double> values) const {
+  std::array<Vector3, 3 * kPass> directions;
+  std::array<double, 3 * kPass> h;
+  std::array<std::array<std::size_t, 3>, kPass> axes;  // where each rotation's axes are among the directions
+  for (std::size_t begin = 0; begin < rotations.size(); begin += kPass) {
+    const std::size_t count = std::min(kPass, rotations.size() - begin);
+    std::size_t used = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      for (int k = 0; k < 3; ++k) {
+        const Vector3 axis = rotations[begin + i].axis(k);
+        // A grid's neighbours along gamma share their third axis: h(r3) is summed once for the line.
+        if (i > 0 && directions[axes[i - 1][k]] == axis) {
+          axes[i][k] = axes[i - 1][k];
+        } else {
+          directions[used] = axis;
+          axes[i][k] = used++;
+        }
+      }
+    if (use_tree_) tree().values({directions.data(), used}, {h.data(), used});
+    else flat_.values({directions.data(), used}, {h.data(), used});
+    for (std::size_t i = 0; i < count; ++i)
+      values[begin + i] = (h[axes[i][0]] + h[axes[i][1]] + h[axes[i][2]]) / vectors_.total;
+  }
+}
+
+void ProjectedArea::cuts(std::span<const Rotation> rotations, std::span<Cut> cuts) const {
+  std::array<Vector3, 3 * kPass> directions, subgradients;
+  for (std::size_t begin = 0; begin < rotations.size(); begin += kPass) {
+    const std::size_t count = std::min(kPass, rotations.size() - begin);
+    for (std::size_t i = 0; i < 3 * count; ++i) directions[i] = rotations[begin + i / 3].axis(static_cast<int>(i % 3));
+    if (use_tree_) tree().cuts({directions.data(), 3 * count}, {subgradients.data(), 3 * count});
+    else flat_.cuts({directions.data(), 3 * count}, {subgradients.data(), 3 * count});
+    for (std::size_t i = 0; i < count; ++i) {
+      Cut& cut = cuts[begin + i];
+      for (int k = 0; k < 3; ++k) cut.gradient.row(k) = subgradients[3 * i + k].transpose() / vectors_.total;
+      cut.value = cut.gradient.cwiseProduct(rotations[begin + i].matrix()).sum();
+    }
+  }
+}
+
+CutBounds ProjectedArea::cut_bounds() const {
+  // Two directions merged as parallel may be kParallel apart; dividing by S takes a few roundoffs.
+  const double sums = use_tree_ ? DirectionTree::kErrorBound : FlatSum::relative_error_bound(flat_.precision());
+  return {.error = sums + 4 * kParallel, .norm = 1 + 1e-12, .floor = 1 - 0x1p-50};  // floor: eq. (12)
+}
+
+Generators ProjectedArea::generators() const { return {vectors_.x, vectors_.y, vectors_.z, 1 / vectors_.total}; }
+
+}  // namespace rectilin

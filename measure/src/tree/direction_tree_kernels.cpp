@@ -1,0 +1,269 @@
+// The vector loops of the normal tree, compiled once for each instruction set.
+// foreach_target.h includes this file again for every instruction set and has to come first.
+// clang-format off
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tree/direction_tree_kernels.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+// clang-format on
+
+#include "tree/direction_tree_kernels.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "hwy/cache_control.h"
+#include "sums/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rectilin::HWY_NAMESPACE {
+namespace {
+
+using D = hn::CappedTag<double, kFan>;
+using V = hn::Vec<D>;
+using D64 = hn::RebindToUnsigned<D>;
+using D32 = hn::CappedTag<std::uint32_t, kFan>;
+
+// Nodes whose terms are summed in registers before they are added to the compensated sums: keeps
+// the number of terms per lane, hence the rounding, bounded.
+constexpr std::size_t kChunkNodes = 256;
+
+// Nodes ahead of the current one whose memory is requested: on large trees most visits miss the
+// caches. 16 and 96 are slower (Zen 5).
+constexpr std::size_t kAhead = 40;
+
+template <class V>
+HWY_INLINE V squared_length(V x, V y, V z) {
+  return hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
+}
+
+struct Vectors {
+  V x, y, z;
+};
+
+/// Lanes `lane` and following of a component, in units of the leaf's.
+HWY_INLINE V load_component(const NormalLeaf& leaf, std::size_t c, std::size_t lane) {
+  const D d;
+  const hn::Rebind<std::int32_t, D> d32;
+  const hn::Rebind<std::uint8_t, D> d8;
+  const auto high = hn::PromoteTo(d, hn::Load(d32, leaf.high[c] + lane));
+  const auto low = hn::PromoteTo(d, hn::PromoteTo(d32, hn::Load(d8, leaf.low[c] + lane)));
+  return hn::MulAdd(high, hn::Set(d, 256.0), low);
+}
+
+HWY_INLINE Vectors load_leaf(const NormalLeaf& leaf, std::size_t lane, hn::Vec<D64> unit) {
+  const D d;
+  const hn::Rebind<std::uint32_t, D> d32;
+  const hn::Rebind<std::uint8_t, D> d8;
+  const auto exponent = hn::PromoteTo(D64(), hn::PromoteTo(d32, hn::Load(d8, leaf.exponent + lane)));
+  const auto scale = hn::BitCast(d, hn::ShiftLeft<52>(hn::Sub(unit, exponent)));
+  return {hn::Mul(load_component(leaf, 0, lane), scale), hn::Mul(load_component(leaf, 1, lane), scale),
+          hn::Mul(load_component(leaf, 2, lane), scale)};
+}
+
+struct Nodes {
+  Vectors sum;
+  V radius;
+};
+
+HWY_INLINE Nodes load_family(const NormalFamily& family, std::size_t lane) {
+  const D d;
+  const D64 d64;
+  const auto x = hn::Load(d64, family.sums[0] + lane);
+  const auto y = hn::Load(d64, family.sums[1] + lane);
+  const auto z = hn::Load(d64, family.sums[2] + lane);
+  // The last byte of each is one of the radius's upper ones, below its sign.
+  const auto radius = hn::Or(hn::ShiftRight<1>(hn::ShiftLeft<56>(x)),
+                             hn::Or(hn::ShiftRight<9>(hn::ShiftLeft<56>(y)), hn::ShiftRight<17>(hn::ShiftLeft<56>(z))));
+  return {{hn::BitCast(d, x), hn::BitCast(d, y), hn::BitCast(d, z)}, hn::BitCast(d, radius)};
+}
+
+template <class Block>
+HWY_INLINE void prefetch(const Block& block) {
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(&block);
+  for (std::size_t i = 0; i < sizeof(Block); i += 64) hwy::Prefetch(bytes + i);
+}
+
+/// The start of a list, to which nothing before it looks ahead.
+template <class Block>
+HWY_INLINE void prefetch_first(const Block* blocks, const std::uint32_t* list, std::size_t size) {
+  for (std::size_t i = 0; i < std::min(kAhead, size); ++i) prefetch(blocks[list[i]]);
+}
+
+/// Lists of nodes. The lane numbers are kept in memory: Highway's Iota writes them there one by one
+/// at each call, and reading them back at once would stall.
+class NodeList {
+ public:
+  HWY_INLINE explicit NodeList(std::uint32_t* nodes) : nodes_(nodes) {
+    for (std::uint32_t lane = 0; lane < kFan; ++lane) lanes_[lane] = lane;
+  }
+
+  /// Appends first + j for every set bit j of `bits`. Writes up to kFan entries past the end.
+  HWY_INLINE void append(std::uint32_t first, unsigned bits) {
+    const D32 d;
+    for (std::size_t lane = 0; lane < kFan; lane += hn::Lanes(d)) {
+      const auto part = static_cast<std::uint8_t>((bits >> lane) & ((1u << hn::Lanes(d)) - 1));
+      const auto ids = hn::Add(hn::Set(d, first), hn::Load(d, lanes_ + lane));
+      hn::StoreU(hn::CompressBits(ids, &part), d, nodes_ + size_);
+      size_ += static_cast<std::size_t>(std::popcount(part));
+    }
+  }
+
+  std::size_t size() const { return size_; }
+
+ private:
+  std::uint32_t* nodes_;
+  std::size_t size_ = 0;
+  HWY_ALIGN std::uint32_t lanes_[kFan];
+};
+
+template <class Sum, bool kCutOff>
+class Walk {
+ public:
+  HWY_INLINE Walk(const DirectionTreeNodes& nodes, const NormalQuery& query, TwoSum* sums)
+      : nodes_(nodes), query_(query), sums_(sums) {}
+
+  /// Lists all nodes of a level to be opened before it visits the next level: the processor works
+  /// on many nodes at once and never waits for a branch, as it would at each node of a depth-first
+  /// walk, and too long a list is noticed before its nodes cost anything.
+  HWY_INLINE bool run() {
+    std::uint32_t lists[2][kMostOpened + kChunkNodes + kFan];
+    lists[0][0] = 0;
+    std::size_t size = 1;
+    int current = 0;
+    for (int level = nodes_.depth - 1; level >= 0; --level, current = 1 - current) {
+      size = test(level, lists[current], size, lists[1 - current]);
+      if (size > nodes_.limits[level]) return false;
+    }
+    add_leaves(lists[current], size);
+    return true;
+  }
+
+ private:
+  /// Sums the nodes that the circle misses, lists those that it meets; stops where these get too
+  /// many.
+  HWY_INLINE std::size_t test(int level, const std::uint32_t* families, std::size_t size, std::uint32_t* children) {
+    NodeList found(children);
+    prefetch_first(nodes_.levels[level], families, size);
+    for (std::size_t begin = 0; begin < size && found.size() <= nodes_.limits[level];) {
+      const std::size_t end = std::min(size, begin + kChunkNodes / kFan);
+      test_chunk(nodes_.levels[level], families, begin, end, size, found);
+      flush();
+      begin = end;
+    }
+    return found.size();
+  }
+
+  HWY_INLINE void test_chunk(const NormalFamily* nodes, const std::uint32_t* families, std::size_t begin,
+                             std::size_t end, std::size_t size, NodeList& found) {
+    const D d;
+    const auto a = hn::Set(d, query_.slope.a), b = hn::Set(d, query_.slope.b);
+    const auto reach = hn::Set(d, query_.reach), resolution = hn::Set(d, query_.resolution);
+    Sum sum = sum_;
+    for (std::size_t i = begin; i < end; ++i) {
+      prefetch(nodes[families[std::min(i + kAhead, size - 1)]]);
+      unsigned bits = 0;
+      for (std::size_t lane = 0; lane < kFan; lane += hn::Lanes(d)) {
+        const auto [v, radius] = load_family(nodes[families[i]], lane);
+        const auto s = hn::MulAdd(a, v.x, hn::MulAdd(b, v.y, v.z));
+        auto meets = hn::Lt(hn::Abs(s), hn::Mul(radius, reach));
+        if (kCutOff) {
+          const auto least = hn::Mul(squared_length(v.x, v.y, v.z), resolution);
+          meets = hn::And(meets, hn::Gt(hn::Mul(radius, radius), least));
+        }
+        sum.add(v.x, v.y, v.z, hn::IfThenZeroElse(meets, s));
+        std::uint8_t byte[8] = {};
+        hn::StoreMaskBits(d, meets, byte);
+        bits |= static_cast<unsigned>(byte[0]) << lane;
+      }
+      found.append(families[i] * static_cast<std::uint32_t>(kFan), bits);
+    }
+    sum_ = sum;
+  }
+
+  HWY_INLINE void add_leaves(const std::uint32_t* leaves, std::size_t size) {
+    prefetch_first(nodes_.leaves, leaves, size);
+    for (std::size_t begin = 0; begin < size;) {
+      const std::size_t end = std::min(size, begin + kChunkNodes);
+      add_chunk(leaves, begin, end, size);
+      flush();
+      begin = end;
+    }
+  }
+
+  HWY_INLINE void add_chunk(const std::uint32_t* leaves, std::size_t begin, std::size_t end, std::size_t size) {
+    const D d;
+    const auto a = hn::Set(d, query_.slope.a), b = hn::Set(d, query_.slope.b);
+    const auto unit = hn::Set(D64(), nodes_.unit);
+    Sum sum = sum_;
+    for (std::size_t i = begin; i < end; ++i) {
+      prefetch(nodes_.leaves[leaves[std::min(i + kAhead, size - 1)]]);
+      for (std::size_t lane = 0; lane < kLeaf; lane += hn::Lanes(d)) {
+        const Vectors v = load_leaf(nodes_.leaves[leaves[i]], lane, unit);
+        sum.add(v.x, v.y, v.z, hn::MulAdd(a, v.x, hn::MulAdd(b, v.y, v.z)));
+      }
+    }
+    sum_ = sum;
+  }
+
+  HWY_INLINE void flush() {
+    double part[Sum::kOutputs] = {};
+    sum_.add_to(part);
+    for (int i = 0; i < Sum::kOutputs; ++i) sums_[i].add(part[i]);
+    sum_ = Sum();
+  }
+
+  const DirectionTreeNodes& nodes_;
+  const NormalQuery query_;
+  TwoSum* sums_;
+  Sum sum_;
+};
+
+template <class Sum>
+bool kernel(const DirectionTreeNodes& nodes, const NormalQuery& query, TwoSum* sums) {
+  return query.resolution > 0 ? Walk<Sum, true>(nodes, query, sums).run() : Walk<Sum, false>(nodes, query, sums).run();
+}
+
+double cap(const DirectionTreeNodes& nodes, std::size_t begin, std::size_t end, const double* axis) {
+  const D d;
+  const auto ax = hn::Set(d, axis[0]), ay = hn::Set(d, axis[1]), az = hn::Set(d, axis[2]);
+  const auto zero = hn::Zero(d), infinity = hn::Set(d, std::numeric_limits<double>::infinity());
+  const auto shortest = hn::Set(d, 1e-280);  // of squared lengths that have not lost digits to underflow
+  auto largest = zero;
+  const auto unit = hn::Set(D64(), nodes.unit);
+  for (std::size_t leaf = begin; leaf < end; ++leaf) {
+    for (std::size_t lane = 0; lane < kLeaf; lane += hn::Lanes(d)) {
+      const auto [x, y, z] = load_leaf(nodes.leaves[leaf], lane, unit);
+      const auto cx = hn::MulSub(y, az, hn::Mul(z, ay));
+      const auto cy = hn::MulSub(z, ax, hn::Mul(x, az));
+      const auto cz = hn::MulSub(x, ay, hn::Mul(y, ax));
+      const auto squared_sine = hn::Div(squared_length(cx, cy, cz), squared_length(x, y, z));
+      const auto dot = hn::MulAdd(x, ax, hn::MulAdd(y, ay, hn::Mul(z, az)));
+      const auto clear = hn::And(hn::Gt(dot, zero), hn::Gt(squared_length(x, y, z), shortest));
+      const auto absent = hn::Eq(hn::Max(hn::Abs(x), hn::Max(hn::Abs(y), hn::Abs(z))), zero);
+      const auto angle = hn::IfThenElse(clear, squared_sine, infinity);
+      largest = hn::Max(largest, hn::IfThenZeroElse(absent, angle));
+    }
+  }
+  return hn::GetLane(hn::MaxOfLanes(d, largest));
+}
+
+const DirectionTreeKernels* normal_kernel_table() {
+  static constexpr DirectionTreeKernels table = {kernel<NegativePart<D>>, kernel<NegativeSum<D>>, cap};
+  return &table;
+}
+
+}  // namespace
+}  // namespace rectilin::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rectilin {
+
+HWY_EXPORT(normal_kernel_table);
+
+const DirectionTreeKernels& normal_kernels() { return *HWY_DYNAMIC_DISPATCH(normal_kernel_table)(); }
+
+}  // namespace rectilin
+#endif

@@ -1,0 +1,31 @@
+// Memory for a direction tree: one block, on large pages where the system grants them.
+#pragma once
+
+#include <cstddef>
+#include <cstdlib>
+#include <memory>
+#include <new>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace rectilin {
+
+/// `wanted` bytes, uninitialised, aligned to two cache lines at least. A query of a large tree
+/// reads a few lines from each of thousands of places; on small pages nearly each of these would
+/// miss the translation lookaside buffer as well.
+inline std::shared_ptr<std::byte[]> allocate_nodes(std::size_t wanted) {
+  constexpr std::size_t kPage = std::size_t{1} << 21;
+  constexpr std::size_t kLines = 128;
+  const std::size_t alignment = wanted >= kPage ? kPage : kLines;
+  const std::size_t bytes = (wanted + alignment - 1) / alignment * alignment;
+  void* memory = std::aligned_alloc(alignment, bytes);
+  if (memory == nullptr && bytes > 0) throw std::bad_alloc();
+#ifdef __linux__
+  if (alignment == kPage) madvise(memory, bytes, MADV_HUGEPAGE);  // a wish: refusal does no harm
+#endif
+  return {static_cast<std::byte*>(memory), [](std::byte* p) { std::free(p); }};
+}
+
+}  // namespace rectilin

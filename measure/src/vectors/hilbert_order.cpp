@@ -1,0 +1,116 @@
+#include "vectors/hilbert_order.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace rectilin {
+namespace {
+
+constexpr int kBits = 16;  // of each coordinate of a cell
+
+/// A fixed turn without meaning but for this: walls between cells, and the hemisphere's rim, must not pass
+/// through directions that meshes are full of, such as the coordinate axes, or rounding would put equal
+/// normals on both sides of a wall.
+Eigen::Matrix3d arbitrary_turn() { return Eigen::Quaterniond(0.61, 0.37, -0.53, 0.29).normalized().toRotationMatrix(); }
+
+/// Four levels of the Hilbert curve (Hilbert 1891) at once: the place of a sub-cell among 256, and how the
+/// curve lies in it. Bit 0 of an orientation: mirrored in both coordinates; bit 1: coordinates swapped.
+struct HilbertStep {
+  std::uint8_t place, orientation;
+};
+
+constexpr HilbertStep hilbert_step(unsigned orientation, unsigned x, unsigned y) {
+  unsigned place = 0;
+  for (int bit = 3; bit >= 0; --bit) {
+    const unsigned mirror = orientation & 1;
+    unsigned right = (x >> bit & 1) ^ mirror, up = (y >> bit & 1) ^ mirror;
+    if (orientation & 2) std::swap(right, up);
+    place = place << 2 | ((3 * right) ^ up);
+    if (!up) orientation ^= right ? 3 : 2;  // the lower quadrants hold the curve turned
+  }
+  return {static_cast<std::uint8_t>(place), static_cast<std::uint8_t>(orientation)};
+}
+
+constexpr auto kHilbertSteps = [] {
+  std::array<HilbertStep, 4 * 256> steps{};
+  for (unsigned i = 0; i < steps.size(); ++i) steps[i] = hilbert_step(i >> 8, i >> 4 & 15, i & 15);
+  return steps;
+}();
+
+std::uint32_t hilbert_place(std::uint32_t x, std::uint32_t y) {
+  std::uint32_t place = 0, orientation = 0;
+  for (int shift = kBits - 4; shift >= 0; shift -= 4) {
+    const HilbertStep step = kHilbertSteps[orientation << 8 | (x >> shift & 15) << 4 | (y >> shift & 15)];
+    place = place << 8 | step.place;
+    orientation = step.orientation;
+  }
+  return place;
+}
+
+/// The hemisphere maps to a square by the hemi-octahedral projection (Cigolle et al. 2014).
+std::uint32_t cell_of(const Vector3& turned) {
+  const double norm = std::abs(turned.x()) + std::abs(turned.y()) + turned.z();
+  const auto quantised = [&](double c) {  // from [-norm, norm]
+    constexpr double kHalf = 1 << (kBits - 1);
+    return static_cast<std::uint32_t>(std::clamp((c / norm + 1) * kHalf, 0.0, 2 * kHalf - 1));
+  };
+  return hilbert_place(quantised(turned.x() + turned.y()), quantised(turned.x() - turned.y()));
+}
+
+/// Sorts by the high half; stable. Least significant digit first: several times faster than comparing.
+void radix_sort_by_high_half(std::vector<std::uint64_t>& items) {
+  constexpr int kDigit = 11, kPasses = 3;
+  constexpr std::size_t kBuckets = std::size_t{1} << kDigit;
+  const auto digit = [](std::uint64_t item, int pass) { return (item >> (32 + kDigit * pass)) & (kBuckets - 1); };
+  std::vector<std::array<std::size_t, kBuckets>> begins(kPasses);
+  for (const std::uint64_t item : items)
+    for (int pass = 0; pass < kPasses; ++pass) ++begins[pass][digit(item, pass)];
+  std::vector<std::uint64_t> target(items.size());
+  for (int pass = 0; pass < kPasses; ++pass) {
+    std::size_t begin = 0;
+    for (std::size_t& count : begins[pass]) begin += std::exchange(count, begin);
+    for (const std::uint64_t item : items) target[begins[pass][digit(item, pass)]++] = item;
+    items.swap(target);
+  }
+}
+
+bool lexicographically_less(const Vector3& a, const Vector3& b) {
+  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> order_by_direction(std::vector<Vector3>& vectors) {
+  const Eigen::Matrix3d turn = arbitrary_turn();
+  constexpr std::uint64_t kDropped = ~std::uint64_t{0};
+  std::vector<std::uint64_t> items(vectors.size());  // cell in the high half, index in the low one
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vectors.size(), 4096), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      Vector3 turned = turn * vectors[i];
+      if (turned.z() < 0) turned = -turned, vectors[i] = -vectors[i];
+      items[i] = vectors[i].isZero(0) ? kDropped : std::uint64_t{cell_of(turned)} << 32 | i;
+    }
+  });
+  std::erase(items, kDropped);
+  radix_sort_by_high_half(items);
+
+  std::vector<std::uint32_t> order(items.size());
+  std::ranges::transform(items, order.begin(), [](std::uint64_t item) { return static_cast<std::uint32_t>(item); });
+  const auto cell = [&](std::size_t place) { return items[place] >> 32; };
+  for (std::size_t begin = 0, end; begin < order.size(); begin = end) {
+    for (end = begin + 1; end < order.size() && cell(end) == cell(begin);) ++end;
+    if (end - begin > 1)
+      std::stable_sort(order.begin() + begin, order.begin() + end, [&](std::uint32_t a, std::uint32_t b) {
+        return lexicographically_less(vectors[a].normalized(), vectors[b].normalized());
+      });
+  }
+  return order;
+}
+
+}  // namespace rectilin

@@ -1,0 +1,150 @@
+#include "io/text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+
+#include "rectilin/mesh/mesh.h"
+
+namespace rectilin {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
+// from_chars knows no leading plus.
+std::string_view without_plus(std::string_view word) {
+  const bool plus = word.size() > 1 && word[0] == '+' && word[1] != '-';
+  return plus ? word.substr(1) : word;
+}
+
+// What a number means that from_chars finds out of range: it is either too large or too close to 0.
+double out_of_range_value(std::string_view word) {
+  const std::size_t exponent = word.find_first_of("eE");
+  const bool tiny =
+      exponent != std::string_view::npos ? word[exponent + 1] == '-' : word.find_first_of("123456789") > word.find('.');
+  return tiny ? 0.0 : std::numeric_limits<double>::infinity();
+}
+
+// The rest of "1.#INF", "1.#IND", "1.#QNAN" or "1.#SNAN", as Windows long wrote what is not finite.
+bool is_windows_nonfinite(std::string_view rest) {
+  return rest.starts_with("#INF") || rest.starts_with("#IND") || rest.starts_with("#QNAN") || rest.starts_with("#SNAN");
+}
+
+bool parse_number(std::string_view word, double& value) {
+  const std::string_view digits = without_plus(word);
+  const char* const end = digits.data() + digits.size();
+  const auto result = std::from_chars(digits.data(), end, value);
+  if (result.ec == std::errc::invalid_argument) return false;
+  if (result.ec == std::errc::result_out_of_range) value = out_of_range_value(digits);
+  if (result.ptr == end) return true;
+  value = std::numeric_limits<double>::quiet_NaN();
+  return is_windows_nonfinite(std::string_view(result.ptr, end));
+}
+
+}  // namespace
+
+std::string quoted(std::string_view word) {
+  constexpr std::size_t kLongest = 40;
+  std::string text(word.substr(0, kLongest));
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c > 0x7E; }, '?');
+  return "'" + text + (word.size() > kLongest ? "...'" : "'");
+}
+
+bool is_keyword(std::string_view word, std::string_view keyword) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(),
+                    [&](char c, char expected) { return lower(c) == expected; });
+}
+
+bool parse_integer(std::string_view word, std::int64_t& value) {
+  const std::string_view digits = without_plus(word);
+  const char* const end = digits.data() + digits.size();
+  const auto result = std::from_chars(digits.data(), end, value);
+  return result.ec == std::errc() && result.ptr == end;
+}
+
+LineReader::LineReader(std::string_view text, std::string_view name, Continuation continuation)
+    : text_(text), name_(name), continuation_(continuation) {
+  if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) position_ = kByteOrderMark.size();
+}
+
+bool LineReader::at_line_end() const { return position_ == text_.size() || is_line_end(text_[position_]); }
+
+// Whether '#' begins a comment here, in a word that began at `begin`.
+bool LineReader::at_comment(std::size_t begin) const {
+  return text_[position_] == '#' && (position_ == begin || text_[position_ - 1] != '.');
+}
+
+void LineReader::skip_blanks() {
+  while (position_ < text_.size() && is_blank(text_[position_])) ++position_;
+}
+
+void LineReader::skip_line_ending() {
+  const bool two = text_.substr(position_, 2) == "\r\n";
+  position_ += two ? 2 : 1;
+  line_ending_ = text_[position_ - 1];
+  if (position_ < text_.size()) ++line_;  // the last line's ending begins no line
+}
+
+bool LineReader::next_line() {
+  // The rest of the current line goes first, then lines that are empty or all comment.
+  bool skip = started_;
+  started_ = true;
+  while (true) {
+    if (!skip) skip_blanks();
+    if (!skip && !at_line_end() && text_[position_] != '#') return true;
+    while (!at_line_end()) ++position_;
+    if (position_ == text_.size()) return false;
+    skip_line_ending();
+    skip = false;
+  }
+}
+
+std::string_view LineReader::word() {
+  skip_blanks();
+  const std::size_t begin = position_;
+  while (!at_line_end() && !is_blank(text_[position_]) && !at_comment(begin)) ++position_;
+  const std::string_view found = text_.substr(begin, position_ - begin);
+  if (continuation_ == Continuation::kBackslash && found.ends_with('\\')) {
+    const std::string_view before = found.substr(0, found.size() - 1);
+    if (!before.empty()) {
+      unread(1);
+      return before;
+    }
+    skip_blanks();
+    if (!at_line_end()) fail_expected("a line end after a backslash", text_.substr(position_, 1));
+    if (position_ == text_.size()) return {};
+    skip_line_ending();
+    return word();
+  }
+  return found;
+}
+
+double LineReader::number(std::string_view what) {
+  const std::string_view found = word();
+  double value = 0;
+  if (!parse_number(found, value)) fail_expected(what, found);
+  return value;
+}
+
+std::int64_t LineReader::integer(std::string_view what) {
+  const std::string_view found = word();
+  std::int64_t value = 0;
+  if (!parse_integer(found, value)) fail_expected(what, found);
+  return value;
+}
+
+void LineReader::fail(std::size_t line, const std::string& reason) const {
+  throw MeshError(std::string(name_) + ":line " + std::to_string(line) + ": " + reason);
+}
+
+void LineReader::fail_expected(std::string_view what, std::string_view found) const {
+  const std::string end = remaining() == 0 ? "the end of the file" : "the end of the line";
+  fail("expected " + std::string(what) + ", found " + (found.empty() ? end : quoted(found)));
+}
+
+}  // namespace rectilin

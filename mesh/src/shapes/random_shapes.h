@@ -1,0 +1,25 @@
+// Random shapes. Each options struct documents its shape by what it binds.
+#pragma once
+
+#include "rectilin/base/parameters.h"
+#include "rectilin/base/random.h"
+#include "rectilin/mesh/mesh.h"
+
+namespace rectilin::shapes {
+
+struct Blob {
+  int faces = 10'000;
+  int waves = 12;
+  double amplitude = 0.2, frequency = 6;
+  void bind(Parameters& parameters);
+  Mesh build(Random& random) const;
+};
+
+struct Soup {
+  int faces = 1000;
+  double size = 0.2;
+  void bind(Parameters& parameters);
+  Mesh build(Random& random) const;
+};
+
+}  // namespace rectilin::shapes

@@ -1,0 +1,96 @@
+// Ceres behind the interface of an optimizer.
+#include <ceres/gradient_problem.h>
+#include <ceres/gradient_problem_solver.h>
+#include <ceres/manifold.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "graduated.h"
+#include "rectilin/optim/adapters/all_optimizers.h"
+#include "rectilin/optim/restarts.h"
+
+namespace rectilin {
+namespace {
+
+struct CeresOptions {
+  int starts = 0;
+  int iterations = 100;
+  Graduation graduation = {};
+  void bind(Parameters& table);
+};
+
+class CeresSearch final : public RestartedOptimizerWith<CeresOptions> {
+ public:
+  using Options = CeresOptions;
+  static constexpr const char* kName = "ceres";
+
+  explicit CeresSearch(Options options = {}) : RestartedOptimizerWith(options) {}
+
+  std::string name() const override { return kName; }
+  Capabilities capabilities() const override {
+    return {.uses_domain = false, .needs_smooth = true, .local = options_.starts == 1};
+  }
+  void improve(const Rotation& start, Evaluator& evaluator, const Domain& domain, Random& random) const override;
+};
+
+/// The surrogate as a function of a unit quaternion (x, y, z, w).
+class Surrogate final : public ceres::FirstOrderFunction {
+ public:
+  Surrogate(Evaluator& evaluator, double width) : evaluator_(evaluator), width_(width) {}
+
+  int NumParameters() const override { return 4; }
+
+  bool Evaluate(const double* parameters, double* cost, double* gradient) const override {
+    if (evaluator_.remaining() < Costs::kPerSmooth + Costs::kPerValue) return false;  // one for the end point
+    const Eigen::Quaterniond q(parameters);
+    const Rotation rotation = Rotation::from_quaternion(q);
+    const SmoothValue smooth = evaluator_.smooth(rotation, width_);
+    if (!std::isfinite(smooth.value)) return false;
+    *cost = smooth.value;
+    if (gradient) {
+      // Ceres moves by d to (d, 1) q, a turn by 2d, and the directions (e_i, 0) q are orthonormal:
+      // the gradient on the manifold, in that basis.
+      const Eigen::Vector3d slope = 2 * turning_gradient(smooth.gradient, rotation);
+      const Eigen::Quaterniond ambient = Eigen::Quaterniond(0, slope.x(), slope.y(), slope.z()) * q;
+      std::copy_n(ambient.coeffs().data(), 4, gradient);
+    }
+    return true;
+  }
+
+ private:
+  Evaluator& evaluator_;
+  double width_;
+};
+
+void CeresOptions::bind(Parameters& table) {
+  bind_starts(table, starts,
+              "descents, the first from the incumbent, if there is one, the others from random rotations");
+  table.integer("iterations", iterations, 1, 1000000, "iterations of L-BFGS in each round, at most");
+  graduation.bind(table);
+}
+
+void CeresSearch::improve(const Rotation& start, Evaluator& evaluator, const Domain&, Random&) const {
+  // Evaluate the true objective once, so that an interrupted run still has an incumbent.
+  if (!evaluator.has_incumbent()) evaluator.value(start);
+  Eigen::Quaterniond q = start.quaternion();
+  ceres::GradientProblemSolver::Options solver;
+  solver.logging_type = ceres::SILENT;
+  solver.max_num_iterations = options_.iterations;
+  solver.function_tolerance = 1e-12;
+  for (int round = 0; round < options_.graduation.rounds && !evaluator.exhausted(); ++round) {
+    const ceres::GradientProblem problem(new Surrogate(evaluator, options_.graduation.at(round)),
+                                         new ceres::EigenQuaternionManifold);  // owned by the problem
+    ceres::GradientProblemSolver::Summary summary;
+    ceres::Solve(solver, problem, q.coeffs().data(), &summary);
+    evaluator.value(Rotation::from_quaternion(q));
+  }
+}
+
+}  // namespace
+
+void add_ceres(Registry& registry) {
+  registry.add<CeresSearch>("Ceres' L-BFGS on the smooth surrogate, on the manifold of rotations");
+}
+
+}  // namespace rectilin

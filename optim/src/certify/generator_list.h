@@ -1,0 +1,37 @@
+// Sums over the faces that matter in a small part of the sphere.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "rectilin/optim/objective.h"
+
+namespace rectilin::bounding {
+
+using Triangle3 = std::array<Eigen::Vector3d, 3>;  ///< corners of a spherical triangle, unit vectors
+
+/// Vectors v_i whose great circles u . v_i = 0 may meet some region of the sphere, as a structure of arrays,
+/// padded with zeros. The other faces have one sign all over the region: their part of h is linear.
+class GeneratorList {
+ public:
+  GeneratorList() = default;
+  explicit GeneratorList(const Generators& generators);
+
+  std::size_t size() const { return size_; }
+
+  /// sum sign(u . v_i) v_i
+  Eigen::Vector3d cut(const Eigen::Vector3d& u) const;
+
+  /// Puts into `active` the faces that do not have one sign at all corners of the triangle, and returns
+  /// the signed sum of the others.
+  Eigen::Vector3d split(const Triangle3& corners, GeneratorList& active) const;
+
+ private:
+  void make_room(std::size_t size);
+
+  static constexpr std::size_t kLanes = 8;
+  std::vector<double> x_, y_, z_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace rectilin::bounding

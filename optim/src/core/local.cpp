@@ -1,0 +1,24 @@
+#include "rectilin/optim/local.h"
+
+#include "rectilin/optim/allowance.h"
+
+namespace rectilin {
+
+Rotation start_of(const Evaluator& evaluator, Random& random) {
+  return evaluator.has_incumbent() ? evaluator.incumbent().rotation : random_rotation(random);
+}
+
+void improve_from_starts(const LocalSearch& local, int starts, bool from_incumbent, Evaluator& evaluator,
+                         const Domain& domain, Random& random) {
+  const Allowance allowance(evaluator, 0);
+  for (int i = 0; starts == 0 || i < starts; ++i) {
+    const std::uint64_t before = evaluator.costs().evaluations();
+    const Rotation start = i == 0 && from_incumbent ? start_of(evaluator, random) : random_rotation(random);
+    local.improve(start, evaluator, domain, random);
+    // The rest of a budget may be too small for a step of this method.
+    const bool idle = evaluator.costs().evaluations() == before;
+    if (idle || evaluator.exhausted() || (starts == 0 && allowance.spent())) return;
+  }
+}
+
+}  // namespace rectilin

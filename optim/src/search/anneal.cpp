@@ -1,0 +1,120 @@
+#include "search/anneal.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rectilin/optim/allowance.h"
+#include "search/turned.h"
+
+namespace rectilin {
+namespace {
+
+struct State {
+  Rotation rotation;
+  double value;
+};
+
+/// Random rotations that find the scale of the objective and the first start.
+struct Survey {
+  State best;
+  double deviation;
+};
+
+Survey survey(const Allowance& allowance, Evaluator& evaluator, Random& random) {
+  constexpr int kCount = 32;
+  Survey result{{Rotation(), std::numeric_limits<double>::infinity()}, 0};
+  double mean = 0, squares = 0;  // Welford's recurrence
+  for (int i = 0; i < kCount && !allowance.spent(); ++i) {
+    const Rotation rotation = random_rotation(random);
+    const double value = evaluator.value(rotation);
+    if (value < result.best.value) result.best = {rotation, value};
+    const double off = value - mean;
+    mean += off / (i + 1);
+    squares += off * (value - mean);
+  }
+  result.deviation = std::sqrt(squares / (kCount - 1));
+  return result;
+}
+
+/// Temperature after the share t of a cooling, from 1 at t = 0 to `end` at t = 1.
+double temperature(AnnealingOptions::Cooling cooling, double t, double end) {
+  using Cooling = AnnealingOptions::Cooling;
+  switch (cooling) {
+    case Cooling::kGeometric:
+      return std::pow(end, t);
+    case Cooling::kLinear:
+      return 1 + t * (end - 1);
+    case Cooling::kFast:
+      return 1 / (1 + t * (1 / end - 1));  // 1/k: Szu and Hartley 1987
+    case Cooling::kBoltzmann:              // 1/log k: Geman and Geman 1984
+      return 1 / (1 + (1 / end - 1) * std::log1p(1000 * t) / std::log1p(1000.0));
+  }
+  return end;
+}
+
+/// One cooling from `state` over `moves` evaluations.
+void cool(const AnnealingOptions& options, State state, double hot, std::uint64_t moves, Evaluator& evaluator,
+          Random& random) {
+  double step = options.step;
+  for (std::uint64_t i = 0; i < moves && !evaluator.exhausted(); ++i) {
+    const double t = static_cast<double>(i) / static_cast<double>(moves);
+    const double heat = hot * temperature(options.cooling, t, options.cold / options.hot);
+    const Eigen::Vector3d turn(random.normal(), random.normal(), random.normal());
+    const Rotation moved = turned(state.rotation, step * turn);
+    const State next{moved, evaluator.value(moved)};
+    const double rise = next.value - state.value;
+    const bool accepted = rise <= 0 || random.chance(std::exp(-rise / heat));
+    if (accepted) state = next;
+    // Up by (1-a) on success and down by a on failure balance at the share a of successes.
+    step = std::min(options.step, step * std::exp(0.3 * ((accepted ? 1 : 0) - options.acceptance)));
+  }
+}
+
+/// All coolings, on one allowance.
+void anneal(const AnnealingOptions& options, const Allowance& allowance, Evaluator& evaluator, Random& random) {
+  const bool had_start = evaluator.has_incumbent();
+  const Incumbent given = evaluator.incumbent();
+  const Survey surveyed = survey(allowance, evaluator, random);
+  State start = had_start ? State{given.rotation, given.value} : surveyed.best;
+  for (int cycle = 0; cycle < options.cycles && !allowance.spent(); ++cycle) {
+    if (cycle > 0 && options.reheat == AnnealingOptions::Reheat::kBest)
+      start = {evaluator.incumbent().rotation, evaluator.incumbent().value};
+    else if (cycle > 0) start.rotation = random_rotation(random), start.value = evaluator.value(start.rotation);
+    const auto left = static_cast<std::uint64_t>(options.cycles - cycle);
+    cool(options, start, options.hot * surveyed.deviation, allowance.remaining() / left, evaluator, random);
+  }
+}
+
+}  // namespace
+
+void AnnealingOptions::bind(Parameters& table) {
+  Allowance::bind(table, evaluations);
+  table
+      .choice("cooling", cooling,
+              {{"geometric", Cooling::kGeometric},
+               {"linear", Cooling::kLinear},
+               {"fast", Cooling::kFast},
+               {"boltzmann", Cooling::kBoltzmann}},
+              "how the temperature falls: like c^k, 1-ck, 1/k or 1/log(k) in the step number k")
+      .real("hot", hot, 1e-12, 1e6, "first temperature, in standard deviations of the objective")
+      .real("cold", cold, 1e-15, 1e6, "last temperature, likewise")
+      .integer("cycles", cycles, 1, 1000000, "coolings that share the evaluations")
+      .choice("reheat", reheat, {{"best", Reheat::kBest}, {"random", Reheat::kRandom}},
+              "where each cooling after the first begins: best rotation so far or a random one")
+      .real("acceptance", acceptance, 0.01, 0.99, "share of accepted moves that the step length is adapted to")
+      .real("step", step, 1e-9, 3, "first and longest step: standard deviation of each component of a turn, radians");
+}
+
+Annealing::Annealing(Options options) : OptimizerWith(options) {
+  if (options.cold > options.hot)
+    throw ParameterError("anneal: cold=" + std::to_string(options.cold) +
+                         " is above hot=" + std::to_string(options.hot));
+}
+
+void Annealing::run(Evaluator& evaluator, const Domain&, Random& random) const {
+  const Allowance allowance(evaluator, options_.evaluations);
+  for (int round = 0; !allowance.spent(); ++round)
+    anneal(options_, Allowance(evaluator, allowance.plan(round)), evaluator, random);
+}
+
+}  // namespace rectilin

@@ -1,0 +1,81 @@
+#include "search/hybrid.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "rectilin/optim/allowance.h"
+#include "search/simplex.h"
+
+namespace rectilin {
+namespace {
+
+using Vertices = std::array<Simplex::Vertex, 4>;
+
+Simplex::Vertex vertex(const Rotation& rotation, Evaluator& evaluator) { return {rotation, evaluator.value(rotation)}; }
+
+Simplex random_simplex(Evaluator& evaluator, Random& random) {
+  Vertices vertices;
+  for (auto& v : vertices) v = vertex(random_rotation(random), evaluator);
+  return Simplex(vertices);
+}
+
+/// Each vertex from one of the parents, more often from the better.
+Simplex swap_vertices(const Simplex& better, const Simplex& worse, Random& random) {
+  Vertices vertices;
+  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = (random.chance(0.6) ? better : worse).vertices()[i];
+  return Simplex(vertices);
+}
+
+/// Each vertex 0.6 of the way from the worse parent's to the better's.
+Simplex mix_vertices(const Simplex& better, const Simplex& worse, Evaluator& evaluator) {
+  Vertices vertices;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Rotation& to = better.vertices()[i].rotation;
+    const Rotation from = nearest_copy(worse.vertices()[i].rotation, to);
+    vertices[i] = vertex(along_geodesic(from, to, 0.6), evaluator);
+  }
+  return Simplex(vertices);
+}
+
+/// A population from its creation until it no longer gains.
+void evolve(const HybridOptions& options, const Allowance& allowance, Evaluator& evaluator, Random& random) {
+  std::vector<Simplex> population;
+  for (int i = 0; i < options.population && !allowance.spent(); ++i)
+    population.push_back(random_simplex(evaluator, random));
+
+  double best = std::numeric_limits<double>::infinity();
+  for (int idle = 0; idle < options.patience && !allowance.spent();) {
+    std::ranges::stable_sort(population, {}, [](const Simplex& s) { return s.best().value; });
+    const double value = population.front().best().value;
+    idle = value < best * (1 - options.gain) ? 0 : idle + 1;
+    best = std::min(best, value);
+
+    const std::size_t half = population.size() / 2;
+    const std::vector<Simplex> parents(population.begin(), population.begin() + half);
+    for (std::size_t i = 0; i < population.size() && !allowance.spent(); ++i) {
+      // Parents are sorted: of two, the one drawn lower is the better.
+      const auto [a, b] = std::minmax({random.below(half), random.below(half)});
+      Simplex child =
+          i < half ? swap_vertices(parents[a], parents[b], random) : mix_vertices(parents[a], parents[b], evaluator);
+      for (int k = 0; k < options.steps && !allowance.spent(); ++k) child.step(evaluator);
+      population[i] = child;
+    }
+  }
+}
+
+}  // namespace
+
+void HybridOptions::bind(Parameters& table) {
+  Allowance::bind(table, evaluations);
+  table.integer("population", population, 2, 1000000, "simplices")
+      .integer("steps", steps, 0, 1000000, "Nelder-Mead iterations of each simplex in each generation")
+      .integer("patience", patience, 1, 1000000, "generations without gain after which a new population is drawn")
+      .real("gain", gain, 0, 1, "relative decrease of the value that counts as gain");
+}
+
+void HybridSearch::run(Evaluator& evaluator, const Domain&, Random& random) const {
+  const Allowance allowance(evaluator, options_.evaluations);
+  while (!allowance.spent()) evolve(options_, allowance, evaluator, random);
+}
+
+}  // namespace rectilin

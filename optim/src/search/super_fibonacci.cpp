@@ -1,0 +1,33 @@
+#include "search/super_fibonacci.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "rectilin/optim/allowance.h"
+#include "search/sampling.h"
+
+namespace rectilin {
+
+void SuperFibonacciOptions::bind(Parameters& table) {
+  table.integer("count", count, 0, 2000000000, "points; 0: what is left of the budget, 10,000 if it has no limit");
+}
+
+Rotation super_fibonacci(std::uint64_t i, std::uint64_t count) {
+  // Two circles turned through by angles without a common measure: psi^4 = psi + 4 (Alexa 2022,
+  // section 4).
+  constexpr double kPhi = std::numbers::sqrt2, kPsi = 1.533751168755204288118041;
+  const double s = static_cast<double>(i) + 0.5, t = s / static_cast<double>(count);
+  const double alpha = 2 * std::numbers::pi * s / kPhi, beta = 2 * std::numbers::pi * s / kPsi;
+  const double r = std::sqrt(t), q = std::sqrt(1 - t);
+  return Rotation::from_quaternion({q * std::cos(beta), r * std::sin(alpha), r * std::cos(alpha), q * std::sin(beta)});
+}
+
+void SuperFibonacci::run(Evaluator& evaluator, const Domain&, Random&) const {
+  const Allowance allowance(evaluator, options_.count);
+  for (int round = 0; !allowance.spent(); ++round) {
+    const std::uint64_t count = allowance.plan(round);
+    evaluate_all(evaluator, count, [count](std::uint64_t i) { return super_fibonacci(i, count); });
+  }
+}
+
+}  // namespace rectilin

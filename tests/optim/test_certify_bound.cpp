@@ -1,0 +1,220 @@
+// The certificate's lemmas under attack: random points where they claim a bound must not fall below it.
+#include <cmath>
+#include <numbers>
+
+#include "certify/bounder.h"
+#include "certify/box_bound.h"
+#include "certify/branch_and_bound.h"
+#include "certify/kink_ball.h"
+#include "certify/sphere_minorants.h"
+#include "rectilin/measure/projected_area.h"
+#include "support/catch.h"
+#include "support/random_meshes.h"
+
+using namespace rectilin;
+using namespace rectilin::bounding;
+
+namespace {
+
+#ifdef NDEBUG
+constexpr int kEffort = 20;
+#else
+constexpr int kEffort = 1;
+#endif
+
+/// Vectors meant to be awkward: twelve orders of magnitude in area, nearly parallel pairs, exact multiples of the axes.
+std::vector<Vector3> awkward_vectors(Random& random) {
+  std::vector<Vector3> vectors;
+  const int count = 3 + static_cast<int>(random.below(30));
+  for (int i = 0; i < count; ++i) {
+    const Vector3 v = test::random_vector(random) * std::pow(10.0, random.uniform(-12, 0));
+    vectors.push_back(v);
+    if (random.chance(0.3)) vectors.push_back(v + 1e-9 * v.norm() * test::random_vector(random));
+    if (random.chance(0.3)) vectors.push_back(v.norm() * Vector3::Unit(static_cast<int>(random.below(3))));
+  }
+  return vectors;
+}
+
+Box random_box(Random& random) {
+  Box box;
+  const double size = std::pow(10.0, random.uniform(-9, 0));
+  for (int i = 0; i < 3; ++i) {
+    const double a = random.uniform(-kZoneHalfEdge, kZoneHalfEdge);
+    const double b = std::clamp(a + size * random.uniform(), -kZoneHalfEdge, kZoneHalfEdge);
+    box.lower[i] = std::min(a, b), box.upper[i] = std::max(a, b);
+  }
+  return box;
+}
+
+/// A point of the box, often on its boundary.
+Eigen::Vector3d random_point(Random& random, const Box& box) {
+  Eigen::Vector3d x;
+  for (int i = 0; i < 3; ++i) {
+    const double t = random.uniform();
+    x[i] = t < 0.2 ? box.lower[i] : t > 0.8 ? box.upper[i] : random.uniform(box.lower[i], box.upper[i]);
+  }
+  return x;
+}
+
+double value_at(const ProjectedArea& objective, const Rotation& rotation) {
+  double value;
+  objective.values({&rotation, 1}, {&value, 1});
+  return value;
+}
+
+}  // namespace
+
+TEST_CASE("a linear form does not fall below its box bound", "[certify]") {
+  Random random(1);
+  double sharpest = 1;
+  for (int trial = 0; trial < 5000 * kEffort; ++trial) {
+    const Box box = random_box(random);
+    Eigen::Matrix3d g;
+    for (double& entry : g.reshaped()) entry = random.normal() * std::pow(10.0, random.uniform(-6, 0));
+    const Corners corners(box);
+    Array8 values = Array8::Zero();
+    for (int k = 0; k < 3; ++k) values += corners.along(k, g.row(k));
+    const double bound = box_bound(g, values, box), size = g.rowwise().norm().maxCoeff();
+    for (int i = 0; i < 20; ++i) {
+      const Rotation r = rotation_from_rodrigues(random_point(random, box));
+      const double excess = g.cwiseProduct(r.matrix()).sum() - bound;
+      REQUIRE(excess >= -kBoxRounding * size);
+      sharpest = std::min(sharpest, excess / size);
+    }
+  }
+  REQUIRE(sharpest < 1e-9);  // the attack comes as near as that, so the bound gives nothing away
+}
+
+TEST_CASE("the objective does not fall below a cell's bound", "[certify]") {
+  Random random(2);
+  for (int trial = 0; trial < 400 * kEffort; ++trial) {
+    const ProjectedArea objective(area_vectors(awkward_vectors(random)));
+    const Box box = random_box(random);
+    CutTable table;
+    Cell cell;
+    cell.box = box;
+    for (int i = 0; i < 4; ++i) {
+      // Cuts from the box, some at kinks, some from elsewhere.
+      const Rotation at = i < 3 ? rotation_from_rodrigues(random_point(random, box)) : random_rotation(random);
+      Cut cut;
+      objective.cuts({&at, 1}, {&cut, 1});
+      for (int k = 0; k < 3; ++k) {
+        cell.bundles[k].add(static_cast<std::uint32_t>(table.size()), 6);
+        table.push_back(cut.gradient.row(k).transpose());
+      }
+    }
+    const PerCut<double> weight = Bounder(table).raise(cell, 10);
+    for (int k = 0; k < 3; ++k) {
+      double sum = 0;
+      for (const double w : weight[k]) {
+        REQUIRE(w >= 0);
+        sum += w;
+      }
+      REQUIRE(sum == Approx(1).epsilon(1e-12));
+    }
+    for (int i = 0; i < 200; ++i) {
+      const Rotation r = rotation_from_rodrigues(random_point(random, box));
+      REQUIRE(value_at(objective, r) >= cell.bound - 1e-13);
+    }
+  }
+}
+
+TEST_CASE("no rotation in a kink ball is below its value", "[certify]") {
+  Random random(3);
+  int balls = 0;
+  for (int trial = 0; trial < 300 * kEffort; ++trial) {
+    std::vector<Vector3> vectors = awkward_vectors(random);
+    const Rotation frame = random_rotation(random);
+    // Faces that contain axes of the frame, exactly but for rounding, or almost.
+    for (int i = 0; i < 6; ++i) {
+      const int k = i % 3;
+      const Vector3 v = frame.axis((k + 1) % 3) * random.normal() + frame.axis((k + 2) % 3) * random.normal();
+      const double off = random.chance(0.5) ? 0.0 : std::pow(10.0, random.uniform(-13, -4));
+      vectors.push_back(v + off * frame.axis(k));
+    }
+    const ProjectedArea objective(area_vectors(vectors));
+    const double value =
+        value_at(objective, frame) - (random.chance(0.5) ? 1e-10 : std::pow(10.0, random.uniform(-9, -1)));
+    const double angle = kink_ball(objective.generators(), frame, value);
+    balls += angle > 0;
+    for (int i = 0; i < 100 && angle > 0; ++i) {
+      const double distance = random.chance(0.3) ? angle : angle * random.uniform();
+      const Rotation r = rotation_from_vector(distance * test::random_vector(random).normalized()) * frame;
+      REQUIRE(value_at(objective, r) >= value - 1e-11);
+    }
+  }
+  REQUIRE(balls > 50 * kEffort);
+}
+
+TEST_CASE("values whose merit is within a gap lie between the cutoff and the threshold", "[certify]") {
+  Random random(15);
+  const ProjectedArea objective(area_vectors(awkward_vectors(random)));
+  for (int trial = 0; trial < 100 * kEffort; ++trial) {
+    const double value = random.uniform(1, 1.7), gap = std::pow(10.0, random.uniform(-9, 0));
+    const auto within = [&](double x) { return std::abs(objective.merit(x) - objective.merit(value)) <= gap; };
+    const double cutoff = cutoff_value(objective, value, gap), threshold = threshold_value(objective, value, gap);
+    REQUIRE(within(cutoff * (1 + 1e-14)));
+    REQUIRE_FALSE(within(cutoff * (1 - 1e-14)));
+    REQUIRE(within(threshold * (1 - 1e-14)));
+    REQUIRE_FALSE(within(threshold * (1 + 1e-14)));
+  }
+  REQUIRE(std::isinf(threshold_value(objective, 1.2, 10)));  // no merit is below -2
+}
+
+TEST_CASE("a box that a set of balls holds has every rotation in one", "[certify]") {
+  Random random(4);
+  int held = 0;
+  for (int trial = 0; trial < 2000 * kEffort; ++trial) {
+    Box box = random_box(random);
+    const Rotation centre = rotation_from_rodrigues(random_point(random, box));
+    const double angle = std::pow(10.0, random.uniform(-6, std::log10(1.5)));
+    Balls balls;
+    balls.add(frame_symmetries()[random.below(24)] * centre, angle);
+    if (!balls.hold(box)) continue;
+    ++held;
+    for (int i = 0; i < 10; ++i)
+      REQUIRE(frame_angle(rotation_from_rodrigues(random_point(random, box)), centre) <= angle * (1 + 1e-9));
+  }
+  REQUIRE(held > 100 * kEffort);
+}
+
+TEST_CASE("no ball holds a point outside, however little", "[certify]") {
+  Random random(14);
+  for (int trial = 0; trial < 20000 * kEffort; ++trial) {
+    const Rotation centre = rotation_from_rodrigues(random_point(random, random_box(random)));
+    const double angle = std::pow(10.0, random.uniform(-6, -1));
+    const double beyond = angle * (1 + std::pow(10.0, random.uniform(-8, -3)));
+    const Eigen::Quaterniond q =
+        (rotation_from_vector(beyond * test::random_vector(random).normalized()) * centre).quaternion();
+    const Vector3 point = q.vec() / q.w();
+    Balls balls;
+    balls.add(centre, angle);
+    REQUIRE_FALSE(balls.hold({point, point}));
+  }
+}
+
+TEST_CASE("minorants on caps stay below h", "[certify]") {
+  Random random(5);
+  for (int trial = 0; trial < 2 * kEffort; ++trial) {
+    const ProjectedArea objective(area_vectors(awkward_vectors(random)));
+    const Generators generators = objective.generators();
+    const auto h = [&](const Vector3& u) {
+      double sum = 0;
+      for (std::size_t i = 0; i < generators.size(); ++i) sum += std::abs(u.dot(generators[i]));
+      return sum;
+    };
+    const SphereMinorants minorants(generators, 4, 1e-4, [] { return false; });
+    REQUIRE_THROWS_AS(SphereMinorants(generators, 4, 1e-4, [] { return true; }), SphereMinorants::Stopped);
+    for (int i = 0; i < 500; ++i) {
+      const Vector3 u = test::random_vector(random).normalized();
+      const double angle = random.uniform(0, 0.7);
+      const auto minorant = minorants.on_cap(u, angle);
+      if (!minorant) continue;
+      for (int j = 0; j < 20; ++j) {
+        const Vector3 axis = u.cross(test::random_vector(random)).normalized();
+        const Vector3 x = rotation_from_vector(axis * angle * random.uniform()).matrix() * u;
+        REQUIRE(h(x) >= minorant->slope.dot(x) + minorant->offset);
+      }
+    }
+  }
+}

@@ -1,0 +1,1 @@
+// Makes the header that the tests share; see tests/CMakeLists.txt.
