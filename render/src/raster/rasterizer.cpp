@@ -143,50 +143,79 @@ void ViewRenderer::draw() {
   else draw_all<kBoth, Coverage::kTouched>();
 }
 
-DepthImage ViewRenderer::image_of(const std::vector<std::int16_t>& plane, bool mirrored) const {
-  DepthImage image{options_.size, std::vector<std::uint16_t>(plane.size())};
+void ViewRenderer::copy(const std::vector<std::int16_t>& plane, bool mirrored, DepthImage& image) const {
+  image.size = options_.size;
+  image.depth.resize(plane.size());
   const auto width = static_cast<std::size_t>(options_.size);
-  for (std::size_t row = 0; row < plane.size(); row += width)
-    for (std::size_t i = 0; i < width; ++i)
-      image.depth[row + i] = static_cast<std::uint16_t>(plane[row + (mirrored ? width - 1 - i : i)] - kNothing);
-  return image;
+  const auto from_zero = [](std::int16_t depth) { return static_cast<std::uint16_t>(depth - kNothing); };
+  for (std::size_t row = 0; row < plane.size(); row += width) {
+    const auto first = plane.begin() + static_cast<std::ptrdiff_t>(row);
+    const auto end = first + options_.size;
+    const auto to = image.depth.begin() + static_cast<std::ptrdiff_t>(row);
+    if (mirrored) std::transform(std::reverse_iterator(end), std::reverse_iterator(first), to, from_zero);
+    else std::transform(first, end, to, from_zero);
+  }
 }
 
 DepthImage ViewRenderer::render(const Rotation& frame) {
+  DepthImage image;
   project(frame);
   draw<false>();
-  return image_of(front_, false);
+  copy(front_, false, image);
+  return image;
+}
+
+void ViewRenderer::render_both(const Rotation& frame, DepthImage& front, DepthImage& back) {
+  project(frame);
+  draw<true>();
+  copy(front_, false, front);
+  copy(back_, true, back);
 }
 
 std::pair<DepthImage, DepthImage> ViewRenderer::render_both(const Rotation& frame) {
-  project(frame);
-  draw<true>();
-  return {image_of(front_, false), image_of(back_, true)};
+  std::pair<DepthImage, DepthImage> images;
+  render_both(frame, images.first, images.second);
+  return images;
 }
 
-void visit_views(const Mesh& mesh, const Ball& ball, const ViewSphere& sphere, const RenderOptions& options,
-                 const Rotation& pose, const std::function<void(std::size_t, DepthImage&&)>& visit) {
+namespace {
+
+/// Calls draw(renderer, k) for one direction k of each pair of opposites.
+template <class Draw>
+void for_each_pair(const Mesh& mesh, const Ball& ball, const ViewSphere& sphere, const RenderOptions& options,
+                   const Draw& draw) {
   const ViewRenderer renderer(mesh, ball, options);
   tbb::enumerable_thread_specific<ViewRenderer> renderers(renderer);
-  std::vector<std::size_t> halves;  // one of each pair of opposite directions
+  std::vector<std::size_t> halves;
   for (std::size_t k = 0; k < sphere.size(); ++k)
     if (k < sphere.opposite()[k]) halves.push_back(k);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, halves.size(), 1), [&](const auto& range) {
     ViewRenderer& own = renderers.local();
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      const std::size_t k = halves[i];
-      auto [front, back] = own.render_both(frame_towards(sphere.directions()[k]) * pose);
-      visit(k, std::move(front));
-      visit(sphere.opposite()[k], std::move(back));
-    }
+    for (std::size_t i = range.begin(); i < range.end(); ++i) draw(own, halves[i]);
+  });
+}
+
+}  // namespace
+
+void visit_views(const Mesh& mesh, const Ball& ball, const ViewSphere& sphere, const RenderOptions& options,
+                 const Rotation& pose, const std::function<void(std::size_t, const DepthImage&)>& visit) {
+  tbb::enumerable_thread_specific<std::pair<DepthImage, DepthImage>> buffers;
+  for_each_pair(mesh, ball, sphere, options, [&](ViewRenderer& renderer, std::size_t k) {
+    // Taken out for the time of the visit: if it waits for a parallel loop, this thread may begin another direction.
+    std::pair<DepthImage, DepthImage> images = std::move(buffers.local());
+    renderer.render_both(frame_towards(sphere.directions()[k]) * pose, images.first, images.second);
+    visit(k, images.first);
+    visit(sphere.opposite()[k], images.second);
+    buffers.local() = std::move(images);
   });
 }
 
 std::vector<DepthImage> render_views(const Mesh& mesh, const Ball& ball, const ViewSphere& sphere,
                                      const RenderOptions& options, const Rotation& pose) {
   std::vector<DepthImage> images(sphere.size());
-  visit_views(mesh, ball, sphere, options, pose,
-              [&](std::size_t k, DepthImage&& image) { images[k] = std::move(image); });
+  for_each_pair(mesh, ball, sphere, options, [&](ViewRenderer& renderer, std::size_t k) {
+    renderer.render_both(frame_towards(sphere.directions()[k]) * pose, images[k], images[sphere.opposite()[k]]);
+  });
   return images;
 }
 

@@ -66,6 +66,8 @@ class ViewRenderer {
 
   /// The picture of `render`, and the one from behind: right and direction turned around, up kept.
   std::pair<DepthImage, DepthImage> render_both(const Rotation& frame);
+  /// The same into pictures whose memory is used again.
+  void render_both(const Rotation& frame, DepthImage& front, DepthImage& back);
 
   const RenderOptions& options() const { return options_; }
 
@@ -80,7 +82,7 @@ class ViewRenderer {
   void draw();
   template <bool kBoth, Coverage kRule>
   void draw_all();
-  DepthImage image_of(const std::vector<std::int16_t>& plane, bool mirrored) const;
+  void copy(const std::vector<std::int16_t>& plane, bool mirrored, DepthImage& image) const;
 
   RenderOptions options_;
   std::vector<double> points_;  ///< x of all vertices in use, then y, then z: from the centre, in radii
@@ -95,8 +97,9 @@ class ViewRenderer {
 std::vector<DepthImage> render_views(const Mesh& mesh, const Ball& ball, const ViewSphere& sphere,
                                      const RenderOptions& options = {}, const Rotation& pose = {});
 
-/// Without keeping them: `visit(k, image)` is called once for each direction k, from any thread, several at a time.
+/// Without keeping them: `visit(k, image)` is called once for each direction k, from any thread, several at a time; the
+/// image is gone afterwards.
 void visit_views(const Mesh& mesh, const Ball& ball, const ViewSphere& sphere, const RenderOptions& options,
-                 const Rotation& pose, const std::function<void(std::size_t, DepthImage&&)>& visit);
+                 const Rotation& pose, const std::function<void(std::size_t, const DepthImage&)>& visit);
 
 }  // namespace rectilin::render
