@@ -7,6 +7,7 @@
 #include "archive/members.h"
 #include "archive/unpack.h"
 #include "io/soup.h"
+#include "io/text.h"
 #include "manifest.h"
 #include "rectilin/mesh/shapes.h"
 
@@ -57,7 +58,11 @@ LoadedMesh load_archive(const std::string& file) {
 LoadedMesh load_member(const std::string& source, const MemberName& name) {
   const auto beside = [&](const std::string& path) {
     const fs::path member = (fs::path(name.member).parent_path() / path).lexically_normal();
-    return read_member({name.archive, member.string()});
+    try {
+      return read_member({name.archive, member.string()});
+    } catch (const MeshError&) {
+      throw MeshError(source + ": " + rectilin::quoted(path) + " is not in the archive");
+    }
   };
   try {
     return read_mesh(read_member(name), source, beside);

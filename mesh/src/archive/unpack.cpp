@@ -2,6 +2,7 @@
 
 #include <archive.h>
 #include <archive_entry.h>
+#include <locale.h>
 
 #include <algorithm>
 #include <array>
@@ -38,6 +39,22 @@ std::string only_member_of(const fs::path& file) {
   const std::string inner = name.substr(0, name.size() - ending.size());
   return lower(inner).ends_with(".tar") ? std::string() : inner;
 }
+
+/// The library takes names to be in the locale's encoding; while one of these lives, for this thread, it is UTF-8.
+class Utf8Locale {
+ public:
+  Utf8Locale() : before_(uselocale(utf8())) {}
+  ~Utf8Locale() { uselocale(before_); }
+  Utf8Locale(const Utf8Locale&) = delete;
+  Utf8Locale& operator=(const Utf8Locale&) = delete;
+
+ private:
+  static locale_t utf8() {
+    static const locale_t locale = newlocale(LC_CTYPE_MASK, "C.UTF-8", locale_t{});
+    return locale;  // if there is none, null: the locale stays as it is
+  }
+  locale_t before_;
+};
 
 }  // namespace
 
@@ -81,6 +98,7 @@ void Unpacker::open(int result) {
 }
 
 bool Unpacker::next() {
+  const Utf8Locale utf8;
   archive* const a = archive_.get();
   // What is skipped in a compressed stream is unpacked all the same.
   if (unread_ && archive_filter_count(a) > 1) check();
@@ -93,8 +111,7 @@ bool Unpacker::next() {
     started_ = true;
     count(0);
     if (only_member_.empty() && archive_entry_filetype(entry) != AE_IFREG) continue;
-    const char* path = archive_entry_pathname_utf8(entry);
-    if (!path) path = archive_entry_pathname(entry);
+    const char* path = archive_entry_pathname(entry);
     if (!path) continue;  // a name in no encoding that is known
     member_ = only_member_.empty() ? path : only_member_;
     unread_ = true;
@@ -150,11 +167,6 @@ void Unpacker::fail_with_library() const {
   const char* text = archive_error_string(archive_.get());
   const std::string reason = text ? text : "cannot be read";
   fail("as an archive: " + rectilin::quoted(reason.substr(0, reason.find_first_of("\r\n"))));
-}
-
-void check_unpacked_size(std::string_view zip, const std::string& name) {
-  Unpacker unpacker(zip, name);
-  while (unpacker.next()) unpacker.check();
 }
 
 }  // namespace rectilin

@@ -61,7 +61,4 @@ class Unpacker {
 /// Whether the file's name is that of an archive or of a compressed file.
 bool is_archive_name(std::string_view file);
 
-/// Throws MeshError if the zip unpacks to too much.
-void check_unpacked_size(std::string_view zip, const std::string& name);
-
 }  // namespace rectilin

@@ -178,14 +178,6 @@ class Scene {
   PolygonSoup place_all() {
     find_costs();
     find_nodes();
-    std::uint64_t placed = 0;
-    for (const Node& node : nodes_) {
-      const auto& instances = node.instances;
-      const std::uint64_t cost = costs_[node.mesh];
-      const std::uint64_t count = instances.empty() ? 1 : instances.size();
-      placed = SceneCost::sum(placed, cost > SceneCost::kTooMuch / count ? SceneCost::kTooMuch : cost * count);
-    }
-    SceneCost::check(placed, stored_, name_);
     for (const Node& node : nodes_) {
       if (node.instances.empty()) place(node.mesh, node.to_world);
       for (const Affine3d& instance : node.instances) place(node.mesh, node.to_world * instance);
@@ -213,7 +205,7 @@ class Scene {
   /// empty primitives are not free.
   void find_costs() {
     for (const tinygltf::Mesh& mesh : model_.meshes) {
-      std::uint64_t cost = 1;
+      std::uint64_t cost = SceneCost::kInstance;
       std::set<int> seen;
       for (const tinygltf::Primitive& primitive : mesh.primitives) {
         ++cost;
@@ -228,6 +220,13 @@ class Scene {
       costs_.push_back(cost);
       stored_ = SceneCost::sum(stored_, cost);
     }
+  }
+
+  /// Counts a mesh placed `count` times, before anything is made of it.
+  void charge(std::size_t mesh, std::uint64_t count) {
+    const std::uint64_t cost = costs_[mesh];
+    placed_ = SceneCost::sum(placed_, count > SceneCost::kTooMuch / cost ? SceneCost::kTooMuch : cost * count);
+    SceneCost::check(placed_, stored_, name_);
   }
 
   /// The nodes of the scene that have meshes. Each is met once, as the specification demands: no loops, no shared parts.
@@ -247,7 +246,10 @@ class Scene {
       for (std::size_t i = 0; i < model_.nodes.size(); ++i)
         if (!is_child[i]) open.emplace_back(static_cast<int>(i), Affine3d::Identity());
       if (model_.nodes.empty())
-        for (std::size_t i = 0; i < model_.meshes.size(); ++i) nodes_.push_back({i, Affine3d::Identity(), {}});
+        for (std::size_t i = 0; i < model_.meshes.size(); ++i) {
+          charge(i, 1);
+          nodes_.push_back({i, Affine3d::Identity(), {}});
+        }
     }
     std::ranges::reverse(open);
     while (!open.empty()) {
@@ -261,7 +263,9 @@ class Scene {
       if (node.mesh >= 0) {
         if (static_cast<std::size_t>(node.mesh) >= model_.meshes.size())
           fail("mesh " + std::to_string(node.mesh) + " does not exist");
-        nodes_.push_back({static_cast<std::size_t>(node.mesh), to_world, instances_of(node)});
+        const auto mesh = static_cast<std::size_t>(node.mesh);
+        charge(mesh, 1);
+        nodes_.push_back({mesh, to_world, instances_of(node)});
       }
       for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) open.emplace_back(*child, to_world);
     }
@@ -297,8 +301,7 @@ class Scene {
       const GltfAccessor accessor(model_, index.GetNumberAsInt(), components, name_);
       if (count && *count != accessor.size()) fail(std::string(kInstancing) + ": the attributes differ in length");
       count = accessor.size();
-      given_ = SceneCost::sum(given_, accessor.size() + accessor.replaced());
-      SceneCost::check(given_, stored_, name_);
+      charge(static_cast<std::size_t>(node.mesh), SceneCost::sum(accessor.size(), accessor.replaced()));
       moves.resize(*count, Vector3::Zero());
       turns.resize(*count, Eigen::Quaterniond::Identity());
       scales.resize(*count, Vector3::Ones());
@@ -364,7 +367,7 @@ class Scene {
   const tinygltf::Model& model_;
   const std::string& name_;
   std::vector<std::uint64_t> costs_;  ///< of each mesh
-  std::uint64_t stored_ = 0, given_ = 0;
+  std::uint64_t stored_ = 0, placed_ = 0;
   std::vector<Node> nodes_;
   PolygonSoup soup_;
 };

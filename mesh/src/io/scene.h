@@ -15,7 +15,9 @@ namespace rectilin {
 class SceneCost {
  public:
   /// What instances may come to, unless the file itself holds more than that.
-  static constexpr std::uint64_t kPlaced = std::uint64_t{1} << 26;
+  static constexpr std::uint64_t kPlaced = std::uint64_t{1} << 25;
+  /// What placing a mesh costs beside its vertices and triangles: a transform is about so many of them.
+  static constexpr std::uint64_t kInstance = 16;
 
   /// Sums that cannot overflow: from this on everything is too much.
   static constexpr std::uint64_t kTooMuch = std::uint64_t{1} << 60;

@@ -5,7 +5,7 @@
 #include <memory>
 #include <unordered_map>
 
-#include "archive/unpack.h"
+#include "io/three_mf_parts.h"
 #include "io/scene.h"
 #include "io/soup.h"
 #include "io/text.h"
@@ -149,7 +149,7 @@ class Package {
     const DWORD id = id_of(object);
     if (const auto known = costs_.find(id); known != costs_.end()) return known->second;
     if (depth > kMaxDepth) fail("components are nested too deep");
-    std::uint64_t cost = 1;
+    std::uint64_t cost = SceneCost::kInstance;
     if (is_mesh(object)) {
       const auto [vertices, triangles] = counts_of(object);
       cost += std::uint64_t{vertices} + triangles;
@@ -203,7 +203,7 @@ class Package {
 }  // namespace
 
 PolygonSoup read_3mf(std::string_view bytes, const std::string& name) {
-  check_unpacked_size(bytes, name);
+  check_3mf_parts(bytes, name);
   return Package(bytes, name).place_all();
 }
 

@@ -32,7 +32,7 @@ std::optional<MeshFormat> format_of_extension(const std::filesystem::path& file)
 ///
 /// Of glTF and 3MF the scene is read: what it shows, or is to be built, with every instance in its place, in metres
 /// (see MeshReport::scene). Skins, morph targets, materials and images are left out; a file that needs a compression of
-/// its geometry (Draco, meshopt) is refused, and so is one whose instances come to more than 2^26 vertices and triangles.
+/// its geometry (Draco, meshopt) is refused, and so is one whose instances come to more than 2^25 vertices and triangles.
 /// A 3MF file may unpack to 300 times its size, or to 64 MiB if that is more.
 ///
 /// A polygon becomes a fan if the fan does not fold over itself, else its ears are clipped, so that
