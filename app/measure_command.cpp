@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "commands.h"
+#include "corpus_measure.h"
 #include "measure_row.h"
 #include "options.h"
 #include "rectilin/base/whole_file.h"
@@ -21,6 +22,7 @@ namespace {
 
 struct MeasureOptions {
   std::vector<std::string> sources;
+  std::vector<std::string> o;
   std::string optimizer = Certify::kName;
   std::optional<double> gap;
   bool optima = false;
@@ -30,6 +32,7 @@ struct MeasureOptions {
   Budget budget = {};
   int threads = 0;
   bool json = false;
+  CorpusArguments corpus;
 };
 
 std::vector<std::string> lines_of(std::istream& in) {
@@ -39,6 +42,29 @@ std::vector<std::string> lines_of(std::istream& in) {
     if (!line.empty()) lines.push_back(line);
   }
   return lines;
+}
+
+/// The sources, and for each '-' the lines of standard input.
+std::vector<std::string> with_lines(const std::vector<std::string>& sources) {
+  std::vector<std::string> given;
+  for (const std::string& source : sources) {
+    if (source != "-") given.push_back(source);
+    else
+      for (const std::string& line : lines_of(std::cin)) given.push_back(line);
+  }
+  return given;
+}
+
+/// -o names an optimizer or, ending in .db, a store; both may be given.
+void take_o(MeasureOptions& options) {
+  bool has_optimizer = false;
+  for (const std::string& value : options.o) {
+    const bool is_store = is_store_name(value);
+    if (is_store ? !options.corpus.store.empty() : has_optimizer)
+      throw ParameterError(std::string("-o: more than one ") + (is_store ? "store" : "optimizer"));
+    has_optimizer |= !is_store;
+    (is_store ? options.corpus.store : options.optimizer) = value;
+  }
 }
 
 /// The optimizer asked for, with the options that only Certify has.
@@ -60,20 +86,33 @@ void check_proof(const std::string& proof, const std::vector<std::string>& sourc
     throw ParameterError("--proof " + proof + ": the proof would be written over a mesh, or look like one");
 }
 
+/// What rows of a store are results of: all that a result depends on.
+corpus::Task corpus_task(const MeasureOptions& options) {
+  const Budget& budget = options.budget;
+  return {"measure",
+          {{"optimizer", options.optimizer},
+           {"gap", options.gap ? Json(*options.gap) : Json(nullptr)},
+           {"optima", options.optima},
+           {"domain", options.domain},
+           {"seed", options.seed},
+           {"evaluations", budget.limits_evaluations() ? Json(budget.evaluations) : Json(nullptr)}}};
+}
+
 int measure(const MeasureOptions& options) {
   const auto optimizer = make_optimizer(options);
+  if (!options.corpus.store.empty()) {
+    if (options.json || !options.proof.empty()) throw ParameterError("--json and --proof do not go with a store");
+    return work_into_store(with_lines(options.sources), corpus_task(options), options.corpus,
+                           options.budget.limits_seconds() ? std::optional(options.budget.seconds) : std::nullopt,
+                           options.threads);
+  }
+  if (options.corpus.is_used()) throw ParameterError("--shard, --memory, --retry and --done need a store: -O FILE.db");
   RunSettings settings;
   settings.budget = options.budget;
   settings.seed = options.seed;
   settings.domain = &domain_by_name(options.domain);
 
-  std::vector<std::string> given;
-  for (const std::string& source : options.sources) {
-    if (source != "-") given.push_back(source);
-    else
-      for (const std::string& line : lines_of(std::cin)) given.push_back(line);
-  }
-  const std::vector<std::string> sources = expand_folders(given);
+  const std::vector<std::string> sources = expand_folders(with_lines(options.sources));
   if (sources.empty()) throw MeshError("the list of files is empty");
   if (!options.proof.empty()) check_proof(options.proof, sources);
   settings.stop = stop_on_interrupt();
@@ -120,9 +159,11 @@ void add_measure_command(CLI::App& app, int& status) {
                    "see 'rectilin shapes'), or - for a list on standard input")
       ->required();
   command
-      ->add_option("-o,--optimizer", options->optimizer,
-                   "Optimizer, with parameters: ga?population=100 (see 'rectilin optimizers')")
-      ->capture_default_str();
+      ->add_option("-o,--optimizer", options->o,
+                   "Optimizer, with parameters: ga?population=100 (see 'rectilin optimizers'); or a store, FILE.db")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->default_str(options->optimizer);
   command->add_option("-g,--gap", options->gap, "Width to which certify encloses R (default: 1e-6)")->check(width());
   command->add_option("-p,--proof", options->proof,
                       "File for a proof of the bounds, one mesh; 'rectilin verify' checks it");
@@ -136,9 +177,10 @@ void add_measure_command(CLI::App& app, int& status) {
   command->add_option("-s,--seed", options->seed, "Seed of the random numbers")->check(seed())->capture_default_str();
   command->add_option("-b,--budget", options->budget.evaluations, "Evaluations at most, per mesh (default: no limit)")
       ->check(count());
-  command->add_option("--seconds", options->budget.seconds, "Seconds at most, per mesh (default: no limit)")
+  command->add_option("--seconds", options->budget.seconds, "Seconds at most, per mesh (default: no limit); with a store, for its reading, too")
       ->check(positive_number());
   add_threads_option(*command, options->threads, "the answer is the same for any");
+  add_corpus_options(*command, options->corpus);
   command->add_flag("-j,--json", options->json, "One JSON object a line instead of the table");
   command->footer(
       "The angles printed are the paper's alpha, beta, gamma (eqs. 35-37) in degrees, of the rotation that takes\n"
@@ -147,7 +189,10 @@ void add_measure_command(CLI::App& app, int& status) {
       "Examples: rectilin measure chair.off\n"
       "          rectilin measure --json meshes/ > results.jsonl\n"
       "          rectilin measure --optimizer grid --domain zone 'shape:cylinder?sides=64'");
-  command->callback([options, &status] { status = measure(*options); });
+  command->callback([options, &status] {
+    take_o(*options);
+    status = measure(*options);
+  });
 }
 
 }  // namespace rectilin::app

@@ -40,31 +40,6 @@ Json to_json(const std::vector<Optimum>& optima) {
   return list;
 }
 
-Json to_json(const Row& row) {
-  if (!row.error.empty()) return {{"name", row.name}, {"error", row.error}};
-  const RunRecord& run = row.run;
-  const bool certified = run.lower.has_value();
-  Json line = {{"name", row.name},
-               {"faces", row.faces},
-               {"directions", row.directions},
-               {"area", row.area},
-               {"rectilinearity", run.merit},
-               {"lower", certified ? Json(rectilinearity(run.incumbent.value + row.value_error)) : Json(nullptr)},
-               {"upper", certified ? Json(rectilinearity(*run.lower)) : Json(nullptr)},
-               {"rotation", rectilin::to_json(run.incumbent.rotation)}};
-  const Json details = rectilin::to_json(run);
-  for (const char* key : {"optimizer", "parameters", "domain", "seed", "outcome", "evaluations", "values", "cuts",
-                          "smooths", "turns", "seconds", "cpu_seconds", "threads", "digest"})
-    line[key] = details[key];
-  if (row.certified) {
-    line["cells"] = row.certified->cells;
-    line["parallel_faces"] = row.parallel_faces;
-    if (!row.certified->optima.empty()) line["optima"] = to_json(row.certified->optima);
-  }
-  line["report"] = to_json(row.report);
-  return line;
-}
-
 std::vector<Table::Column> columns(const std::vector<std::string>& sources) {
   std::size_t widest = 0;
   for (const auto& s : sources) widest = std::max(widest, s.size());
@@ -89,6 +64,31 @@ std::vector<std::string> cells(const Row& row) {
 }
 
 }  // namespace
+
+Json to_json(const Row& row) {
+  if (!row.error.empty()) return {{"name", row.name}, {"error", row.error}};
+  const RunRecord& run = row.run;
+  const bool certified = run.lower.has_value();
+  Json line = {{"name", row.name},
+               {"faces", row.faces},
+               {"directions", row.directions},
+               {"area", row.area},
+               {"rectilinearity", run.merit},
+               {"lower", certified ? Json(rectilinearity(run.incumbent.value + row.value_error)) : Json(nullptr)},
+               {"upper", certified ? Json(rectilinearity(*run.lower)) : Json(nullptr)},
+               {"rotation", rectilin::to_json(run.incumbent.rotation)}};
+  const Json details = rectilin::to_json(run);
+  for (const char* key : {"optimizer", "parameters", "domain", "seed", "outcome", "evaluations", "values", "cuts",
+                          "smooths", "turns", "seconds", "cpu_seconds", "threads", "digest"})
+    line[key] = details[key];
+  if (row.certified) {
+    line["cells"] = row.certified->cells;
+    line["parallel_faces"] = row.parallel_faces;
+    if (!row.certified->optima.empty()) line["optima"] = to_json(row.certified->optima);
+  }
+  line["report"] = to_json(row.report);
+  return line;
+}
 
 Printer::Printer(const std::vector<std::string>& sources, bool json)
     : json_(json), progress_(sources.size()), table_(columns(sources)) {

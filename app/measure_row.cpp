@@ -50,12 +50,10 @@ Json parallel_faces(const Mesh& mesh, const Rotation& rotation) {
 
 }  // namespace
 
-Row measure_source(const std::string& source, const Optimizer& optimizer, const RunSettings& settings, bool prove) {
+Row measure_mesh(const LoadedMesh& loaded, const Optimizer& optimizer, const RunSettings& settings, bool prove) {
   Row row;
-  row.name = source;
   try {
-    const LoadedMesh loaded = load_mesh(source);
-    const ProjectedArea objective(area_vectors(loaded.mesh), source);
+    const ProjectedArea objective(area_vectors(loaded.mesh), "mesh");
     row.report = loaded.report;
     row.faces = loaded.mesh.triangles.size();
     row.directions = objective.vectors().size();
@@ -76,6 +74,17 @@ Row measure_source(const std::string& source, const Optimizer& optimizer, const 
   } catch (const std::exception& e) {
     row.error = e.what();
   }
+  return row;
+}
+
+Row measure_source(const std::string& source, const Optimizer& optimizer, const RunSettings& settings, bool prove) {
+  Row row;
+  try {
+    row = measure_mesh(load_mesh(source), optimizer, settings, prove);
+  } catch (const std::exception& e) {
+    row.error = e.what();
+  }
+  row.name = source;
   return row;
 }
 

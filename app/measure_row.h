@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rectilin/mesh/mesh.h"
+#include "rectilin/mesh/mesh_io.h"
 #include "rectilin/optim/certify.h"
 #include "rectilin/optim/run_record.h"
 #include "terminal.h"
@@ -25,6 +25,9 @@ struct Row {
   Json parallel_faces;
   std::string proof;  ///< the text of one, if it was asked for
 };
+
+Row measure_mesh(const LoadedMesh& loaded, const Optimizer& optimizer, const RunSettings& settings, bool prove);
+Json to_json(const Row& row);
 
 /// Measures a source; with a proof if `prove` is set and the optimizer is Certify.
 Row measure_source(const std::string& source, const Optimizer& optimizer, const RunSettings& settings, bool prove);

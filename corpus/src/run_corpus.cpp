@@ -43,13 +43,19 @@ class Run {
   struct Worker {
     std::unique_ptr<WorkerProcess> process;
     bool busy = false, heard = false;  ///< heard: it has answered at least once
+    bool again = false;                ///< the mesh is tried a second time
     std::size_t mesh = 0;
     Row row;  ///< of the mesh in work, as far as it is known
     Clock::time_point started;
   };
 
   void begin(Worker& worker) {
-    worker.mesh = next_++;
+    worker.again = false;
+    start(worker, next_++);
+  }
+
+  void start(Worker& worker, std::size_t index) {
+    worker.mesh = index;
     const NamedSource& mesh = *meshes_[worker.mesh];
     worker.row = Row{};
     worker.row.name = mesh.name;
@@ -181,6 +187,12 @@ class Run {
   void end_of(Worker& worker) {
     const std::string how = worker.process->wait_for_end();
     worker.process.reset();
+    in_work_.erase(worker.row.digest);
+    // Killed from outside, by a person or by a system short of memory: one more time will tell if it was the mesh.
+    if (how.starts_with("signal 9,") && !worker.again) {
+      worker.again = true;
+      return start(worker, worker.mesh);
+    }
     // A worker that dies before its first word does so for all meshes: that is no mesh's fault.
     if (!worker.heard && how.starts_with("exit")) throw std::runtime_error("a worker cannot work: " + how);
     finish(worker, RowStatus::kLimited, worker.row.source + ": the program crashed (" + how + ")");

@@ -96,7 +96,7 @@ TEST_CASE("glTF: strips, fans, no indices, small integers, sparse values, lines"
   SECTION("lines have no area") {
     json["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}, {"mode", 1}});
     CHECK(read(json).report.scene.skipped == 1);
-    primitive["mode"] = 0;
+    json["meshes"][0]["primitives"][0]["mode"] = 0;
     CHECK_THROWS_WITH(read(json), Contains("no faces"));
   }
   SECTION("normalized bytes") {

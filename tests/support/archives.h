@@ -3,6 +3,7 @@
 
 #include <archive.h>
 #include <archive_entry.h>
+#include <locale.h>
 
 #include <filesystem>
 #include <stdexcept>
@@ -17,13 +18,19 @@ using Members = std::vector<std::pair<std::string, std::string>>;  ///< names an
 /// Writes an archive of the kind that the file's extensions tell: .zip, .7z, .tar, .tar.gz, .tar.xz; or, for .gz and
 /// .xz, one compressed file.
 inline void write_archive(const std::filesystem::path& file, const Members& members) {
+  static const locale_t utf8 = newlocale(LC_CTYPE_MASK, "C.UTF-8", locale_t{});
+  const locale_t before = uselocale(utf8);
   archive* a = archive_write_new();
   const std::string name = file.string();
-  if (archive_write_set_format_filter_by_ext(a, name.c_str()) != ARCHIVE_OK) {
+  const bool packed = name.ends_with(".gz") || name.ends_with(".xz");
+  if (!packed) {
+    archive_write_set_format_filter_by_ext(a, name.c_str());
+  } else if (name.find(".tar.") != std::string::npos) {
+    archive_write_set_format_pax_restricted(a);
+  } else {
     archive_write_set_format_raw(a);
-    if (name.ends_with(".gz")) archive_write_add_filter_gzip(a);
-    else archive_write_add_filter_xz(a);
   }
+  if (packed) (name.ends_with(".gz") ? archive_write_add_filter_gzip : archive_write_add_filter_xz)(a);
   bool good = archive_write_open_filename(a, name.c_str()) == ARCHIVE_OK;
   for (const auto& [path, content] : members) {
     archive_entry* entry = archive_entry_new();
@@ -37,6 +44,7 @@ inline void write_archive(const std::filesystem::path& file, const Members& memb
   }
   good = archive_write_close(a) == ARCHIVE_OK && good;
   archive_write_free(a);
+  uselocale(before);
   if (!good) throw std::runtime_error(name + ": the test's archive cannot be written");
 }
 
