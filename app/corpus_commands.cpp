@@ -35,7 +35,15 @@ int merge_stores(const std::vector<std::string>& stores, const std::string& targ
 int show_status(const std::vector<std::string>& stores, bool check) {
   std::size_t widest = 5;
   for (const std::string& store : stores) widest = std::max(widest, store.size());
-  const Table table({{"store", widest}, {"shard", 7}, {"", 7}, {"done", 9}, {"failed", 7}, {"limited", 7}, {"left", 9}, {"a second", 9}, {"time left", 9}});
+  const Table table({{"store", widest},
+                     {"shard", 7},
+                     {"", 7},
+                     {"done", 9},
+                     {"failed", 7},
+                     {"limited", 7},
+                     {"left", 9},
+                     {"a second", 9},
+                     {"time left", 9}});
   std::cout << table.header() << '\n';
   corpus::StoreStatus all;
   bool failed = false;
@@ -44,10 +52,12 @@ int show_status(const std::vector<std::string>& stores, bool check) {
     try {
       const corpus::StoreStatus s = corpus::status_of(store);
       const bool has_rate = s.rate > 0;
-      std::cout << table.row({store, s.shard.empty() ? "-" : s.shard, s.running ? "running" : "", std::to_string(s.done),
-                              std::to_string(s.failed), std::to_string(s.limited), std::to_string(s.left),
-                              has_rate ? general(s.rate, 3) : "-",
-                              s.left == 0 ? "-" : has_rate ? duration(*s.seconds_left) : "?"})
+      std::cout << table.row({store, s.shard.empty() ? "-" : s.shard, s.running ? "running" : "",
+                              std::to_string(s.done), std::to_string(s.failed), std::to_string(s.limited),
+                              std::to_string(s.left), has_rate ? general(s.rate, 3) : "-",
+                              s.left == 0 ? "-"
+                              : has_rate  ? duration(*s.seconds_left)
+                                          : "?"})
                 << '\n';
       all.done += s.done;
       all.failed += s.failed;
@@ -61,9 +71,12 @@ int show_status(const std::vector<std::string>& stores, bool check) {
     }
   }
   if (stores.size() > 1)
-    std::cout << table.row({"all", "", "", std::to_string(all.done), std::to_string(all.failed), std::to_string(all.limited),
-                            std::to_string(all.left), all.rate > 0 ? general(all.rate, 3) : "-",
-                            all.left == 0 ? "-" : std::isfinite(longest) ? duration(longest) : "?"})
+    std::cout << table.row({"all", "", "", std::to_string(all.done), std::to_string(all.failed),
+                            std::to_string(all.limited), std::to_string(all.left),
+                            all.rate > 0 ? general(all.rate, 3) : "-",
+                            all.left == 0            ? "-"
+                            : std::isfinite(longest) ? duration(longest)
+                                                     : "?"})
               << '\n';
   return failed || (check && all.left > 0) ? 1 : 0;
 }
@@ -92,8 +105,11 @@ void add_export(CLI::App& app, int& status) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("export", "Write a store as CSV, JSON lines or a NumPy array");
   command->add_option("store", options->store, "Store")->required();
-  command->add_option("-o,-O,--out", options->files, "Files to write: .csv, .jsonl, .npy (default: all three, named as the store)");
-  command->footer("Example: rectilin export all.db -o all.csv -o all.npy\n         python3 -c \"import numpy; print(numpy.load('all.npy')['rectilinearity'])\"");
+  command->add_option("-o,-O,--out", options->files,
+                      "Files to write: .csv, .jsonl, .npy (default: all three, named as the store)");
+  command->footer(
+      "Example: rectilin export all.db -o all.csv -o all.npy\n         python3 -c \"import numpy; "
+      "print(numpy.load('all.npy')['rectilinearity'])\"");
   command->callback([options, &status] {
     corpus::Store store(options->store);
     std::vector<std::string> files = options->files;

@@ -6,9 +6,9 @@
 #include <memory>
 #include <thread>
 
-#include "measure_row.h"
 #include "rectilin/corpus/run_corpus.h"
 #include "rectilin/corpus/store.h"
+#include "rectilin/measure/measure.h"
 #include "rectilin/mesh/source.h"
 #include "rectilin/optim/adapters/all_optimizers.h"
 #include "terminal.h"
@@ -17,28 +17,22 @@ namespace rectilin::app {
 namespace {
 
 /// Times differ between equal runs, and the rows have their own.
-constexpr const char* kTimes[] = {"name", "report", "seconds", "cpu_seconds", "threads"};
+constexpr const char* kTimes[] = {"seconds", "cpu_seconds", "threads"};
 
 corpus::Work measure_work(const Json& settings, std::optional<double> seconds) {
-  const std::string text = settings["optimizer"];
-  std::shared_ptr<const Optimizer> optimizer = all_optimizers().make(text);
-  if (!settings["gap"].is_null() || settings["optima"] == true) {
-    Spec spec = Spec::parse(text);
-    if (!settings["gap"].is_null()) spec.settings["gap"] = settings["gap"];
-    if (settings["optima"] == true) spec.settings["optima"] = true;
-    optimizer = all_optimizers().make(spec.name, spec.settings);
-  }
-  RunSettings run;
-  run.seed = settings["seed"];
-  run.domain = &domain_by_name(settings["domain"].get<std::string>());
-  if (!settings["evaluations"].is_null()) run.budget.evaluations = settings["evaluations"].get<std::uint64_t>();
-  if (seconds) run.budget.seconds = *seconds;
-  return [optimizer, run](const LoadedMesh& mesh) {
-    const Row row = measure_mesh(mesh, *optimizer, run, false);
-    if (!row.error.empty()) throw MeshError(row.error);
-    corpus::WorkResult done{to_json(row), false};
-    done.time_over = row.run.outcome == RunRecord::Outcome::kBudget && run.budget.limits_seconds() &&
-                     row.run.costs.evaluations() < run.budget.evaluations;
+  MeasureOptions options = measure_options(settings["optimizer"].get<std::string>(), all_optimizers());
+  if (!settings["gap"].is_null()) options.certify.gap = settings["gap"];
+  if (settings["optima"] == true) options.certify.optima = true;
+  options.run.seed = settings["seed"];
+  options.run.domain = &domain_by_name(settings["domain"].get<std::string>());
+  Budget& budget = options.run.budget;
+  if (!settings["evaluations"].is_null()) budget.evaluations = settings["evaluations"].get<std::uint64_t>();
+  if (seconds) budget.seconds = *seconds;
+  return [options](const LoadedMesh& mesh) {
+    const Rectilinearity r = measure(mesh.mesh, options);
+    corpus::WorkResult done{to_json(r), false};
+    done.time_over = r.run.outcome == RunRecord::Outcome::kBudget && options.run.budget.limits_seconds() &&
+                     r.run.costs.evaluations() < options.run.budget.evaluations;
     for (const char* key : kTimes) done.result.erase(key);
     return done;
   };
@@ -47,10 +41,13 @@ corpus::Work measure_work(const Json& settings, std::optional<double> seconds) {
 }  // namespace
 
 void add_corpus_options(CLI::App& command, CorpusArguments& arguments) {
-  command.add_option("-O,--out", arguments.store,
-                     "Store FILE.db to write results to instead of printing them; -o FILE.db says the same. Meshes that "
-                     "are in it are not done again");
-  command.add_option("--shard", arguments.shard, "Part I/N of the meshes, 0 <= I < N, chosen by their names (with a store)")
+  command.add_option(
+      "-O,--out", arguments.store,
+      "Store FILE.db to write results to instead of printing them; -o FILE.db says the same. Meshes that "
+      "are in it are not done again");
+  command
+      .add_option("--shard", arguments.shard,
+                  "Part I/N of the meshes, 0 <= I < N, chosen by their names (with a store)")
       ->capture_default_str();
   command
       .add_option("--memory", arguments.memory,

@@ -29,7 +29,7 @@ constexpr const char* kAll = "all";
 void list() {
   std::cout << "rectilin experiment NAME runs one of these, rectilin experiment all runs all.\n\n";
   for (const Experiment& experiment : experiments()) {
-    std::cout << experiment.name << "\n    " << experiment.title;
+    std::cout << experiment.name << "\n    " << experiment.help;
     if (!experiment.takes.empty()) std::cout << "; takes " << experiment.takes;
     std::cout << '\n' << settings_table(experiment.parameters);
   }

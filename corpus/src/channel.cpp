@@ -11,7 +11,7 @@
 namespace rectilin::corpus {
 namespace {
 
-constexpr std::size_t kHeader = 5;                // the length and the kind
+constexpr std::size_t kHeader = 5;  // the length and the kind
 constexpr std::size_t kLongest = std::size_t{1} << 28;
 
 }  // namespace

@@ -53,7 +53,23 @@ class GrowingFile {
 };
 
 /// Columns of the statement that all formats read.
-enum Column { kName, kSource, kClass, kStatus, kDigest, kFaces, kArea, kR, kLower, kUpper, kSeconds, kVersion, kError, kResult, kReport };
+enum Column {
+  kName,
+  kSource,
+  kClass,
+  kStatus,
+  kDigest,
+  kFaces,
+  kArea,
+  kR,
+  kLower,
+  kUpper,
+  kSeconds,
+  kVersion,
+  kError,
+  kResult,
+  kReport
+};
 constexpr const char* kSelect =
     "SELECT name, source, class, status, digest, faces, area, rectilinearity, lower, upper, seconds, version, error,"
     " result, report FROM meshes WHERE status > 0 ORDER BY name";
@@ -77,7 +93,8 @@ void append_cell(std::string& out, std::string_view text) {
 }
 
 void append_csv(std::string& out, const Statement& row) {
-  for (const int column : {kName, kClass, kStatus, kDigest, kFaces, kArea, kR, kLower, kUpper, kSeconds, kVersion, kError}) {
+  for (const int column :
+       {kName, kClass, kStatus, kDigest, kFaces, kArea, kR, kLower, kUpper, kSeconds, kVersion, kError}) {
     if (column != kName) out += ',';
     if (column == kStatus) out += status_of(row);
     else if (column == kFaces) out += row.text(column);  // a whole number, or nothing
@@ -88,12 +105,17 @@ void append_csv(std::string& out, const Statement& row) {
 }
 
 void append_json(std::string& out, const Statement& row) {
-  Json line = {{"name", row.text(kName)}, {"source", row.text(kSource)}, {"class", row.text(kClass)}, {"status", status_of(row)}};
+  Json line = {{"name", row.text(kName)},
+               {"source", row.text(kSource)},
+               {"class", row.text(kClass)},
+               {"status", status_of(row)}};
   if (!row.is_null(kDigest)) line["digest"] = row.text(kDigest);
   Json end = {{"seconds", row.real(kSeconds)}, {"version", row.text(kVersion)}};
   if (!row.is_null(kError)) end["error"] = row.text(kError);
   // Objects without their braces, so that what is stored is passed on as it is.
-  const auto inside = [](std::string_view object) { return object.size() < 2 ? object : object.substr(1, object.size() - 2); };
+  const auto inside = [](std::string_view object) {
+    return object.size() < 2 ? object : object.substr(1, object.size() - 2);
+  };
   out += '{';
   out += inside(to_text(line));
   if (const std::string_view result = inside(row.text(kResult)); !result.empty()) out.append(",").append(result);
@@ -135,7 +157,9 @@ Widths widths_of(Database& database) {
                  "SELECT max(length(CAST(name AS BLOB))), max(length(CAST(class AS BLOB))), count(*) FROM meshes"
                  " WHERE status > 0");
   most.step();
-  const auto at_least_1 = [&](int column) { return static_cast<std::size_t>(std::max<std::int64_t>(1, most.integer(column))); };
+  const auto at_least_1 = [&](int column) {
+    return static_cast<std::size_t>(std::max<std::int64_t>(1, most.integer(column)));
+  };
   return {at_least_1(0), at_least_1(1), static_cast<std::size_t>(most.integer(2))};
 }
 
@@ -168,9 +192,8 @@ void export_store(Store& store, const fs::path& file) {
   database.execute("BEGIN");  // one state of the store, even if it is being written
   GrowingFile out(file);
   const Widths widths = widths_of(database);
-  std::string text = format == ".csv"
-                         ? "name,class,status,digest,faces,area,rectilinearity,lower,upper,seconds,version,error\n"
-                         : "";
+  std::string text =
+      format == ".csv" ? "name,class,status,digest,faces,area,rectilinearity,lower,upper,seconds,version,error\n" : "";
   if (format == ".npy") text = table_header(widths);
   Statement row(database, kSelect);
   while (row.step()) {

@@ -21,12 +21,13 @@ constexpr const char* kAdd =
 
 void find_conflicts(Database& database, const std::string& store, MergeSummary& summary) {
   constexpr std::size_t kShown = 10;
-  Statement conflicts(database, std::string("SELECT ours.name, theirs.digest <> ours.digest") + kBothDone +
-                                    " ORDER BY ours.name");
+  Statement conflicts(
+      database, std::string("SELECT ours.name, theirs.digest <> ours.digest") + kBothDone + " ORDER BY ours.name");
   for (std::size_t found = 0; conflicts.step(); ++found, ++summary.conflicts) {
     if (found < kShown)
-      summary.first.push_back({std::string(conflicts.text(0)), store,
-                               conflicts.integer(1) ? "another mesh has this name" : "another result for the same mesh"});
+      summary.first.push_back(
+          {std::string(conflicts.text(0)), store,
+           conflicts.integer(1) ? "another mesh has this name" : "another result for the same mesh"});
   }
 }
 

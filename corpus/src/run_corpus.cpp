@@ -175,7 +175,9 @@ class Run {
   void put(const Row& row) {
     store_.put(row);
     ++finished_;
-    (row.status == RowStatus::kDone ? summary_.done : row.status == RowStatus::kFailed ? summary_.failed : summary_.limited)++;
+    (row.status == RowStatus::kDone     ? summary_.done
+     : row.status == RowStatus::kFailed ? summary_.failed
+                                        : summary_.limited)++;
     if (control_.on_progress) control_.on_progress(finished_, meshes_.size(), row.name);
   }
 
@@ -210,7 +212,7 @@ class Run {
   const CorpusOptions& options_;
   const LoopControl& control_;
   std::vector<Worker> workers_;
-  std::set<std::string> in_work_;                     ///< digests
+  std::set<std::string> in_work_;                    ///< digests
   std::map<std::string, std::vector<Row>> waiting_;  ///< rows of meshes that are the same as one in work
   std::size_t next_ = 0, finished_ = 0;
   CorpusSummary summary_;

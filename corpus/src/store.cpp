@@ -31,9 +31,7 @@ CREATE TABLE runs(
   started REAL NOT NULL, ended REAL);
 )";
 
-double now() {
-  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
+double now() { return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count(); }
 
 std::string host_name() {
   char name[256] = "";
@@ -212,7 +210,10 @@ std::vector<std::size_t> Store::begin_run(std::span<const NamedSource> meshes, c
       throw ParameterError("two meshes have the name '" + mesh.name + "': " + std::string(known->second) + " and " +
                            mesh.source);
     if (!is_new) continue;
-    insert.bind(1, std::string_view(mesh.name)).bind(2, std::string_view(mesh.source)).bind(3, std::string_view(mesh.group)).run();
+    insert.bind(1, std::string_view(mesh.name))
+        .bind(2, std::string_view(mesh.source))
+        .bind(3, std::string_view(mesh.group))
+        .run();
     if (retry) again.bind(1, std::string_view(mesh.name)).run();
     look.bind(1, std::string_view(mesh.name)).step();
     if (look.integer(0) == static_cast<std::int64_t>(RowStatus::kLeft)) left.push_back(i);
@@ -256,8 +257,9 @@ void Store::put(const Row& row) {
 
 std::optional<Row> Store::find_digest(std::string_view digest) {
   if (!implementation_->find_digest)
-    implementation_->find_digest.emplace(implementation_->database, std::string("SELECT ") + kRowColumns +
-                                                                        " FROM meshes WHERE digest = ?1 AND status = 3");
+    implementation_->find_digest.emplace(
+        implementation_->database,
+        std::string("SELECT ") + kRowColumns + " FROM meshes WHERE digest = ?1 AND status = 3");
   Statement& s = *implementation_->find_digest;
   if (!s.bind(1, digest).step()) return std::nullopt;
   Row row = read_row(s);

@@ -62,23 +62,6 @@ bool do_mesh(Channel& channel, const std::string& source, const Work& work) {
 
 }  // namespace
 
-Json to_json(const MeshReport& r) {
-  Json json = {{"vertices", r.vertices},
-               {"polygons", r.polygons},
-               {"triangulated", r.triangulated},
-               {"nonfinite_vertices", r.nonfinite_vertices},
-               {"dropped_nonfinite", r.dropped_nonfinite},
-               {"dropped_short", r.dropped_short},
-               {"degenerate", r.degenerate},
-               {"duplicate_vertices", r.duplicate_vertices},
-               {"unreferenced_vertices", r.unreferenced_vertices}};
-  if (r.scene.metres_per_unit > 0)
-    json["scene"] = {{"metres_per_unit", r.scene.metres_per_unit},
-                     {"instances", r.scene.instances},
-                     {"skipped", r.scene.skipped}};
-  return json;
-}
-
 int run_worker(int socket, const MakeWork& make_work) {
   Channel channel(socket);
   const auto setup = channel.receive();

@@ -66,8 +66,7 @@ std::string WorkerProcess::wait_for_end() {
     waitpid(process_, &status, 0);
   }
   process_ = -1;
-  if (WIFSIGNALED(status))
-    return "signal " + std::to_string(WTERMSIG(status)) + ", " + strsignal(WTERMSIG(status));
+  if (WIFSIGNALED(status)) return "signal " + std::to_string(WTERMSIG(status)) + ", " + strsignal(WTERMSIG(status));
   return "exit status " + std::to_string(WEXITSTATUS(status));
 }
 

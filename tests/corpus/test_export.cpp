@@ -1,9 +1,8 @@
-#include "rectilin/corpus/export_store.h"
-
 #include <cstring>
 #include <sstream>
 
 #include "corpus/fixtures.h"
+#include "rectilin/corpus/export_store.h"
 
 using namespace rectilin;
 using namespace rectilin::corpus;

@@ -1,6 +1,5 @@
-#include "rectilin/corpus/merge.h"
-
 #include "corpus/fixtures.h"
+#include "rectilin/corpus/merge.h"
 #include "rectilin/corpus/store.h"
 
 using namespace rectilin;
@@ -31,10 +30,11 @@ std::filesystem::path store_of(const std::filesystem::path& file, const std::vec
 TEST_CASE("of two rows the one that says more is taken, in any order, any number of times", "[corpus]") {
   const ScratchFolder folder;
   using enum RowStatus;
-  const auto a = store_of(folder.path() / "a.db", {row_of("1", kDone, "{}"), row_of("2", kLimited, ""), row_of("3", kLeft, ""),
-                                                   row_of("5", kFailed, "")});
-  const auto b = store_of(folder.path() / "b.db", {row_of("1", kDone, "{}"), row_of("2", kDone, "{}"), row_of("3", kFailed, ""),
-                                                   row_of("4", kDone, "{}"), row_of("5", kLimited, "")});
+  const auto a = store_of(folder.path() / "a.db", {row_of("1", kDone, "{}"), row_of("2", kLimited, ""),
+                                                   row_of("3", kLeft, ""), row_of("5", kFailed, "")});
+  const auto b =
+      store_of(folder.path() / "b.db", {row_of("1", kDone, "{}"), row_of("2", kDone, "{}"), row_of("3", kFailed, ""),
+                                        row_of("4", kDone, "{}"), row_of("5", kLimited, "")});
   const std::vector<std::filesystem::path> ab = {a, b}, ba = {b, a};
   const MergeSummary summary = merge(ab, folder.path() / "ab.db");
   CHECK(summary.rows == 5);

@@ -1,5 +1,4 @@
 #include "npy.h"
-
 #include "support/catch.h"
 
 using namespace rectilin::corpus;
@@ -12,5 +11,6 @@ TEST_CASE("the header is that of the format", "[corpus]") {
   const auto length = static_cast<unsigned char>(header[8]) + 256 * static_cast<unsigned char>(header[9]);
   CHECK(header.size() == 10u + static_cast<unsigned>(length));
   CHECK(header.back() == '\n');
-  CHECK(header.substr(10).starts_with("{'descr': [('name', '|S3'), ('x', '<f8'), ], 'fortran_order': False, 'shape': (7,), }"));
+  CHECK(header.substr(10).starts_with(
+      "{'descr': [('name', '|S3'), ('x', '<f8'), ], 'fortran_order': False, 'shape': (7,), }"));
 }

@@ -1,5 +1,3 @@
-#include "rectilin/corpus/run_corpus.h"
-
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,6 +8,7 @@
 #include "corpus/fixtures.h"
 #include "rectilin/base/random.h"
 #include "rectilin/corpus/merge.h"
+#include "rectilin/corpus/run_corpus.h"
 #include "rectilin/corpus/status.h"
 
 using namespace rectilin;
@@ -18,8 +17,8 @@ using namespace rectilin::test;
 
 namespace {
 
-CorpusSummary run(const std::filesystem::path& file, const std::vector<NamedSource>& meshes, const CorpusOptions& options,
-                  const Json& settings = Json::object(), const Shard& shard = {}) {
+CorpusSummary run(const std::filesystem::path& file, const std::vector<NamedSource>& meshes,
+                  const CorpusOptions& options, const Json& settings = Json::object(), const Shard& shard = {}) {
   const Task task{"test", settings};
   Store store(file, task);
   return run_corpus(meshes, shard, store, task, options);
@@ -49,8 +48,11 @@ TEST_CASE("what hangs, crashes or fills the memory costs its own row", "[corpus]
   const ScratchFolder folder;
   const auto file = folder.path() / "store.db";
   const std::vector<NamedSource> meshes = prisms(8);
-  const Json settings = {{"hang", faces_of(meshes[1])}, {"crash", faces_of(meshes[3])}, {"fill", faces_of(meshes[4])},
-                         {"fail", faces_of(meshes[5])}, {"over", faces_of(meshes[6])}};
+  const Json settings = {{"hang", faces_of(meshes[1])},
+                         {"crash", faces_of(meshes[3])},
+                         {"fill", faces_of(meshes[4])},
+                         {"fail", faces_of(meshes[5])},
+                         {"over", faces_of(meshes[6])}};
   CorpusOptions options = with_workers(2);
   options.seconds = 0.5;
   options.memory = std::uint64_t{64} << 20;

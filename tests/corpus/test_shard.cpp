@@ -1,8 +1,7 @@
-#include "rectilin/corpus/shard.h"
-
 #include <array>
 
 #include "rectilin/base/parameters.h"
+#include "rectilin/corpus/shard.h"
 #include "support/catch.h"
 
 using namespace rectilin;

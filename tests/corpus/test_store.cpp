@@ -1,9 +1,8 @@
-#include "rectilin/corpus/store.h"
-
 #include <fstream>
 
 #include "corpus/fixtures.h"
 #include "rectilin/corpus/status.h"
+#include "rectilin/corpus/store.h"
 
 using namespace rectilin;
 using namespace rectilin::corpus;
@@ -50,7 +49,8 @@ TEST_CASE("stores of other tasks, and files that are none, are refused", "[corpu
   { Store store(folder.path() / "store.db", kTask); }
   CHECK_THROWS_AS(Store(folder.path() / "store.db", Task{"test", {{"a", 2}}}), ParameterError);
   CHECK_THROWS_AS(Store(folder.path() / "store.db", Task{"other", {{"a", 1}}}), ParameterError);
-  std::ofstream(folder.path() / "text.db") << "OFF\n3 1 0\n and so on, for more than a page of nothing that SQLite knows";
+  std::ofstream(folder.path() / "text.db")
+      << "OFF\n3 1 0\n and so on, for more than a page of nothing that SQLite knows";
   CHECK_THROWS_AS(Store(folder.path() / "text.db"), std::runtime_error);
   CHECK_THROWS_AS(Store(folder.path() / "text.db", kTask), std::runtime_error);
   CHECK_THROWS_AS(Store(folder.path() / "missing.db"), std::runtime_error);

@@ -20,10 +20,15 @@ corpus::WorkResult work(const LoadedMesh& mesh, const Json& settings) {
     while (memory.size() < 4096) memory.emplace_back(1 << 20, 'x');
   }
   if (is("fail")) throw MeshError("faces of an unlucky number");
-  if (const int pause = settings.value("pause", 0); pause > 0) std::this_thread::sleep_for(std::chrono::milliseconds(pause));
+  if (const int pause = settings.value("pause", 0); pause > 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds(pause));
   double sum = 0;
   for (const Vector3& vertex : mesh.mesh.vertices) sum += vertex.norm();
-  return {{{"faces", faces}, {"area", sum}, {"rectilinearity", 1 / (1 + sum)}, {"lower", 0.0}, {"upper", 1.0},
+  return {{{"faces", faces},
+           {"area", sum},
+           {"rectilinearity", 1 / (1 + sum)},
+           {"lower", 0.0},
+           {"upper", 1.0},
            {"rotation", {{sum, 0, 0}, {0, -1e-300, 0}, {0, 0, 0.1}}}},
           is("over")};
 }

@@ -31,7 +31,8 @@ TEST_CASE("archives of every kind are folders", "[archive]") {
   const ScratchFolder folder;
   for (const char* extension : {"zip", "7z", "tar", "tar.gz", "tar.xz"}) {
     const std::string file = (folder.path() / (std::string("a.") + extension)).string();
-    write_archive(file, {{"z/two.off", fan(2)}, {"readme.txt", "hello"}, {"a/\xc3\xbc.off", fan(3)}, {"a/._two.off", "x"}});
+    write_archive(file,
+                  {{"z/two.off", fan(2)}, {"readme.txt", "hello"}, {"a/\xc3\xbc.off", fan(3)}, {"a/._two.off", "x"}});
     const auto sources = expand_folders({file, "shape:box"});
     CHECK(sources == std::vector<std::string>{file + "::z/two.off", file + "::a/\xc3\xbc.off", "shape:box"});
     CHECK(load_mesh(sources[1]).mesh.triangles.size() == 3);
@@ -58,7 +59,9 @@ TEST_CASE("a glTF file in an archive finds its buffer there", "[archive]") {
   const std::string file = (folder.path() / "a.zip").string();
   Json json = cube_json();
   json["buffers"][0]["uri"] = "../data/cube.bin";
-  write_archive(file, {{"data/cube.bin", cube_buffer()}, {"models/cube.gltf", json.dump()}, {"cube.glb", glb(cube_json(), cube_buffer())}});
+  write_archive(file, {{"data/cube.bin", cube_buffer()},
+                       {"models/cube.gltf", json.dump()},
+                       {"cube.glb", glb(cube_json(), cube_buffer())}});
   const auto sources = expand_folders({file});
   REQUIRE(sources.size() == 2);
   for (const std::string& source : sources) CHECK(load_mesh(source).mesh.triangles.size() == 12);

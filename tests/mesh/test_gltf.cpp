@@ -45,7 +45,8 @@ TEST_CASE("glTF: a cube", "[gltf]") {
 
 TEST_CASE("glTF: the scene places meshes", "[gltf]") {
   Json json = cube_json();
-  // A parent that scales by 2 and a child that has moved and turned in the parent's coordinates; a node that no scene shows.
+  // A parent that scales by 2 and a child that has moved and turned in the parent's coordinates; a node that no scene
+  // shows.
   json["nodes"] = Json::parse(R"([{"mesh": 0, "scale": [2, 2, 2], "children": [1]},
     {"mesh": 0, "translation": [3, 0, 0], "rotation": [0, 0, 0.70710678118654752, 0.70710678118654752]},
     {"mesh": 0, "scale": [100, 100, 100]}])");
@@ -140,8 +141,8 @@ TEST_CASE("glTF: buffers are read from files beside and below, and from nowhere 
     return load_mesh(file.string());
   };
   CHECK(area_of(load("data/a+b%20c.bin").mesh) == 6);
-  for (const std::string& uri : {std::string("../outside.bin"), std::string("link.bin"), std::string("data/../../outside.bin"),
-                                 (folder.path() / "outside.bin").string()})
+  for (const std::string& uri : {std::string("../outside.bin"), std::string("link.bin"),
+                                 std::string("data/../../outside.bin"), (folder.path() / "outside.bin").string()})
     CHECK_THROWS_WITH(load(uri), Contains("outside its folder"));
   CHECK_THROWS_WITH(load("missing.bin"), Contains("no such file"));
 
@@ -164,16 +165,17 @@ TEST_CASE("glTF: a hostile file is one error", "[gltf]") {
     CHECK_THROWS_WITH(read(json), Contains("claim more than"));
   }
   SECTION("numbers of things that do not exist") {
-    for (const char* pointer : {"/scene", "/nodes/0/mesh", "/meshes/0/primitives/0/indices", "/accessors/0/bufferView",
-                                "/meshes/0/primitives/0/attributes/POSITION", "/bufferViews/0/buffer", "/scenes/0/nodes/0"}) {
+    for (const char* pointer :
+         {"/scene", "/nodes/0/mesh", "/meshes/0/primitives/0/indices", "/accessors/0/bufferView",
+          "/meshes/0/primitives/0/attributes/POSITION", "/bufferViews/0/buffer", "/scenes/0/nodes/0"}) {
       for (const int wrong : {9, -7}) {
         Json changed = json;
         changed[Json::json_pointer(pointer)] = wrong;
         if (wrong > 0) CHECK_THROWS_AS(read(changed), MeshError);
         else try {
-          read(changed);  // negative numbers may stand for nothing
-        } catch (const MeshError&) {
-        }
+            read(changed);  // negative numbers may stand for nothing
+          } catch (const MeshError&) {
+          }
       }
     }
   }
@@ -188,7 +190,8 @@ TEST_CASE("glTF: a hostile file is one error", "[gltf]") {
     CHECK_THROWS_WITH(read(json), Contains("has no data"));
   }
   SECTION("more instances than fit") {
-    json["accessors"].push_back(Json::parse(R"({"componentType": 5126, "count": 5000000, "type": "VEC3", "sparse": {"count": 1,
+    json["accessors"].push_back(
+        Json::parse(R"({"componentType": 5126, "count": 5000000, "type": "VEC3", "sparse": {"count": 1,
       "indices": {"bufferView": 1, "componentType": 5123}, "values": {"bufferView": 0}}})"));
     json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = 2;
     CHECK_THROWS_WITH(read(json), Contains("instances come to more than"));

@@ -18,17 +18,20 @@ constexpr const char* kTetrahedron = R"(<object id="1" type="model"><mesh><verti
 <triangle v1="0" v2="2" v3="1"/><triangle v1="0" v2="1" v3="3"/><triangle v1="0" v2="3" v3="2"/>
 <triangle v1="1" v2="2" v3="3"/></triangles></mesh></object>)";
 
-LoadedMesh read(const std::string& objects, const std::string& build, const std::string& attributes = R"(unit="meter")") {
+LoadedMesh read(const std::string& objects, const std::string& build,
+                const std::string& attributes = R"(unit="meter")") {
   const ScratchFolder folder;
   const auto file = folder.path() / "test.zip";
-  write_archive(file, {{"[Content_Types].xml",
-                        R"(<?xml version="1.0" encoding="UTF-8"?><Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>)"},
-                       {"_rels/.rels",
-                        R"(<?xml version="1.0" encoding="UTF-8"?><Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/3dmodel.model" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>)"},
-                       {"3D/3dmodel.model",
-                        R"(<?xml version="1.0" encoding="UTF-8"?><model )" + attributes +
-                            R"( xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources>)" +
-                            objects + "</resources><build>" + build + "</build></model>"}});
+  write_archive(
+      file,
+      {{"[Content_Types].xml",
+        R"(<?xml version="1.0" encoding="UTF-8"?><Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>)"},
+       {"_rels/.rels",
+        R"(<?xml version="1.0" encoding="UTF-8"?><Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/3dmodel.model" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>)"},
+       {"3D/3dmodel.model",
+        R"(<?xml version="1.0" encoding="UTF-8"?><model )" + attributes +
+            R"( xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources>)" +
+            objects + "</resources><build>" + build + "</build></model>"}});
   return read_mesh(text_of(file), MeshFormat::k3mf, "test.3mf");
 }
 
@@ -39,7 +42,8 @@ Vector3 extent(const Mesh& mesh) {
 }
 
 std::string object(int id, const std::string& components) {
-  return "<object id=\"" + std::to_string(id) + "\" type=\"model\"><components>" + components + "</components></object>";
+  return "<object id=\"" + std::to_string(id) + "\" type=\"model\"><components>" + components +
+         "</components></object>";
 }
 
 std::string component(int id, const std::string& more = "") {
@@ -51,8 +55,9 @@ std::string component(int id, const std::string& more = "") {
 TEST_CASE("3MF: units become metres", "[3mf]") {
   const std::string item = R"(<item objectid="1"/>)";
   CHECK(read(kTetrahedron, item).mesh.triangles.size() == 4);
-  for (const auto& [unit, metres] : {std::pair("micron", 1e-6), std::pair("millimeter", 1e-3), std::pair("centimeter", 1e-2),
-                                     std::pair("inch", 0.0254), std::pair("foot", 0.3048), std::pair("meter", 1.0)}) {
+  for (const auto& [unit, metres] :
+       {std::pair("micron", 1e-6), std::pair("millimeter", 1e-3), std::pair("centimeter", 1e-2),
+        std::pair("inch", 0.0254), std::pair("foot", 0.3048), std::pair("meter", 1.0)}) {
     const LoadedMesh loaded = read(kTetrahedron, item, "unit=\"" + std::string(unit) + "\"");
     CHECK(loaded.report.scene.metres_per_unit == metres);
     CHECK(extent(loaded.mesh) == Vector3(metres, metres, metres));
@@ -68,8 +73,9 @@ TEST_CASE("3MF: items and components in their places", "[3mf]") {
   CHECK(turned.mesh.vertices[1] == Vector3(5, 1, 0));
   CHECK(turned.mesh.vertices[2] == Vector3(4, 0, 0));
   // A component moved in an object that is scaled.
-  const LoadedMesh nested = read(kTetrahedron + object(2, component(1) + component(1, R"(transform="1 0 0 0 1 0 0 0 1 5 0 0")")),
-                                 R"(<item objectid="2" transform="2 0 0 0 2 0 0 0 2 0 0 0"/>)");
+  const LoadedMesh nested =
+      read(kTetrahedron + object(2, component(1) + component(1, R"(transform="1 0 0 0 1 0 0 0 1 5 0 0")")),
+           R"(<item objectid="2" transform="2 0 0 0 2 0 0 0 2 0 0 0"/>)");
   CHECK(nested.report.scene.instances == 2);
   CHECK(extent(nested.mesh) == Vector3(12, 2, 2));
 }

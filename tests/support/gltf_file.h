@@ -22,7 +22,8 @@ inline std::string cube_buffer() {
   std::string bytes;
   for (int i = 0; i < 8; ++i)
     for (const int bit : {4, 2, 1}) append_raw(bytes, (i & bit) ? 1.0f : 0.0f);
-  for (const int i : {0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1, 2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3})
+  for (const int i :
+       {0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1, 2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3})
     append_raw(bytes, static_cast<std::uint16_t>(i));
   return bytes;
 }

@@ -72,13 +72,13 @@ Unpacker::Unpacker(const fs::path& file) : name_(file.string()), only_member_(on
   if (error) fail("not a regular file");
   archive_.reset(archive_read_new());
   archive* const a = archive_.get();
-  for (auto* support : {archive_read_support_filter_gzip, archive_read_support_filter_xz,
-                        archive_read_support_filter_bzip2, archive_read_support_filter_lzma,
-                        archive_read_support_filter_zstd})
+  for (auto* support :
+       {archive_read_support_filter_gzip, archive_read_support_filter_xz, archive_read_support_filter_bzip2,
+        archive_read_support_filter_lzma, archive_read_support_filter_zstd})
     support(a);
   if (only_member_.empty()) {
-    for (auto* support : {archive_read_support_format_zip_seekable, archive_read_support_format_tar,
-                          archive_read_support_format_7zip})
+    for (auto* support :
+         {archive_read_support_format_zip_seekable, archive_read_support_format_tar, archive_read_support_format_7zip})
       support(a);
   } else {
     archive_read_support_format_raw(a);
@@ -131,7 +131,8 @@ void Unpacker::unpack(const Take& take) {
     const int result = archive_read_data_block(archive_.get(), &block, &bytes, &offset);
     if (result == ARCHIVE_EOF) return;
     if (result < ARCHIVE_WARN) fail_with_library();
-    if (offset < 0 || static_cast<std::uint64_t>(offset) > kMaxMember || bytes > kMaxMember - static_cast<std::uint64_t>(offset))
+    if (offset < 0 || static_cast<std::uint64_t>(offset) > kMaxMember ||
+        bytes > kMaxMember - static_cast<std::uint64_t>(offset))
       fail(rectilin::quoted(member_) + " unpacks to more than " + std::to_string(kMaxMember) + " bytes");
     const std::uint64_t end = static_cast<std::uint64_t>(offset) + bytes;
     count(end - std::min(size, end));

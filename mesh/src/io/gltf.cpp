@@ -23,7 +23,7 @@ namespace {
 using Eigen::Affine3d;
 
 constexpr std::string_view kMagic = "glTF";
-constexpr std::size_t kMaxDepth = 64;                      // of brackets in the JSON: parsers recurse
+constexpr std::size_t kMaxDepth = 64;                          // of brackets in the JSON: parsers recurse
 constexpr std::uint64_t kMaxBuffers = std::uint64_t{1} << 31;  // bytes of all buffers together
 constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
 
@@ -118,7 +118,8 @@ BufferFiles check_buffers(std::string_view json, bool binary, const ReadBeside& 
     if (length == buffer.end() || !length->is_number_unsigned() || *length == 0)
       throw MeshError(what + "its byteLength is not a positive whole number");
     total = SceneCost::sum(total, length->get<std::uint64_t>());
-    if (total > kMaxBuffers) throw MeshError(what + "the buffers claim more than " + std::to_string(kMaxBuffers) + " bytes");
+    if (total > kMaxBuffers)
+      throw MeshError(what + "the buffers claim more than " + std::to_string(kMaxBuffers) + " bytes");
     const auto uri = buffer.find("uri");
     if (uri == buffer.end()) {
       if (!binary || i > 0) throw MeshError(what + "it has no data");
@@ -138,8 +139,7 @@ tinygltf::Model parse(std::string_view bytes, const ReadBeside& beside, const st
   check_depth(json, name);
   BufferFiles files = check_buffers(json, binary, beside, name);
   tinygltf::TinyGLTF parser;
-  parser.SetFsCallbacks(
-      {&BufferFiles::exists, &BufferFiles::expand, &BufferFiles::read, &BufferFiles::write, &files});
+  parser.SetFsCallbacks({&BufferFiles::exists, &BufferFiles::expand, &BufferFiles::read, &BufferFiles::write, &files});
   parser.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int,
                            void*) { return true; },
                         nullptr);
@@ -194,7 +194,8 @@ class Scene {
   };
 
   static bool has_triangles(const tinygltf::Primitive& primitive) {
-    return primitive.mode == -1 || (primitive.mode >= TINYGLTF_MODE_TRIANGLES && primitive.mode <= TINYGLTF_MODE_TRIANGLE_FAN);
+    return primitive.mode == -1 ||
+           (primitive.mode >= TINYGLTF_MODE_TRIANGLES && primitive.mode <= TINYGLTF_MODE_TRIANGLE_FAN);
   }
 
   GltfAccessor positions(const tinygltf::Primitive& primitive) const {
@@ -214,8 +215,8 @@ class Scene {
         if (position == primitive.attributes.end()) continue;
         const GltfAccessor points = positions(primitive);
         if (seen.insert(position->second).second) cost = SceneCost::sum(cost, points.size() + points.replaced());
-        cost = SceneCost::sum(cost, primitive.indices < 0 ? points.size()
-                                                          : GltfAccessor(model_, primitive.indices, 1, name_).size());
+        cost = SceneCost::sum(
+            cost, primitive.indices < 0 ? points.size() : GltfAccessor(model_, primitive.indices, 1, name_).size());
       }
       costs_.push_back(cost);
       stored_ = SceneCost::sum(stored_, cost);
@@ -229,7 +230,8 @@ class Scene {
     SceneCost::check(placed_, stored_, name_);
   }
 
-  /// The nodes of the scene that have meshes. Each is met once, as the specification demands: no loops, no shared parts.
+  /// The nodes of the scene that have meshes. Each is met once, as the specification demands: no loops, no shared
+  /// parts.
   void find_nodes() {
     std::vector<std::pair<int, Affine3d>> open;
     std::vector<char> met(model_.nodes.size(), 0);
@@ -242,7 +244,8 @@ class Scene {
       std::vector<char> is_child(model_.nodes.size(), 0);
       for (const tinygltf::Node& node : model_.nodes)
         for (const int child : node.children)
-          if (child >= 0 && static_cast<std::size_t>(child) < is_child.size()) is_child[static_cast<std::size_t>(child)] = 1;
+          if (child >= 0 && static_cast<std::size_t>(child) < is_child.size())
+            is_child[static_cast<std::size_t>(child)] = 1;
       for (std::size_t i = 0; i < model_.nodes.size(); ++i)
         if (!is_child[i]) open.emplace_back(static_cast<int>(i), Affine3d::Identity());
       if (model_.nodes.empty())
@@ -267,7 +270,8 @@ class Scene {
         charge(mesh, 1);
         nodes_.push_back({mesh, to_world, instances_of(node)});
       }
-      for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) open.emplace_back(*child, to_world);
+      for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
+        open.emplace_back(*child, to_world);
     }
   }
 
@@ -279,7 +283,8 @@ class Scene {
     }
     if (node.translation.size() == 3) transform.translate(Eigen::Map<const Vector3>(node.translation.data()));
     if (node.rotation.size() == 4)
-      transform.rotate(Eigen::Quaterniond(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]).normalized());
+      transform.rotate(
+          Eigen::Quaterniond(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]).normalized());
     if (node.scale.size() == 3) transform.scale(Eigen::Map<const Vector3>(node.scale.data()));
     return transform;
   }
@@ -294,7 +299,8 @@ class Scene {
     std::optional<std::size_t> count;
     std::vector<Vector3> moves, scales;
     std::vector<Eigen::Quaterniond> turns;
-    for (const auto& [key, components] : {std::pair("TRANSLATION", 3u), std::pair("ROTATION", 4u), std::pair("SCALE", 3u)}) {
+    for (const auto& [key, components] :
+         {std::pair("TRANSLATION", 3u), std::pair("ROTATION", 4u), std::pair("SCALE", 3u)}) {
       if (!attributes.Has(key)) continue;
       const tinygltf::Value& index = attributes.Get(key);
       if (!index.IsInt()) fail(std::string(kInstancing) + ": an accessor is not a number");
@@ -350,11 +356,13 @@ class Scene {
       corners.resize(indices.size());
       indices.for_each([&](std::size_t i, const std::array<double, 4>& x) {
         if (!(x[0] >= 0 && x[0] < static_cast<double>(points)))
-          fail("index " + std::to_string(static_cast<std::int64_t>(x[0])) + " of " + std::to_string(points) + " vertices");
+          fail("index " + std::to_string(static_cast<std::int64_t>(x[0])) + " of " + std::to_string(points) +
+               " vertices");
         corners[i] = begin + static_cast<std::uint32_t>(x[0]);
       });
     }
-    const bool strip = primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP, fan = primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
+    const bool strip = primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP,
+               fan = primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
     const std::size_t step = strip || fan ? 1 : 3;
     for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
       soup_.corners.insert(soup_.corners.end(), {corners[fan ? 0 : i], corners[i + 1], corners[i + 2]});

@@ -5,10 +5,10 @@
 #include <memory>
 #include <unordered_map>
 
-#include "io/three_mf_parts.h"
 #include "io/scene.h"
 #include "io/soup.h"
 #include "io/text.h"
+#include "io/three_mf_parts.h"
 
 namespace rectilin {
 namespace {
@@ -45,8 +45,8 @@ class Package {
  public:
   Package(std::string_view bytes, const std::string& name) : name_(name) {
     model_ = made([&](auto** out) { return lib3mf_createmodel(out); }, "the library has no model");
-    const Handle reader =
-        made([&](auto** out) { return lib3mf_model_queryreader(model_.get(), "3mf", out); }, "the library has no reader");
+    const Handle reader = made([&](auto** out) { return lib3mf_model_queryreader(model_.get(), "3mf", out); },
+                               "the library has no reader");
     // The library does not write into what it reads from.
     auto* data = reinterpret_cast<BYTE*>(const_cast<char*>(bytes.data()));
     if (lib3mf_reader_readfrombuffer(reader.get(), data, bytes.size()) != 0) {
@@ -91,7 +91,8 @@ class Package {
   /// What is to be built, but for the supports that only the printer needs.
   template <class Take>
   void for_each_item(const Take& take) const {
-    const Handle items = made([&](auto** out) { return lib3mf_model_getbuilditems(model_.get(), out); }, "it has no build");
+    const Handle items =
+        made([&](auto** out) { return lib3mf_model_getbuilditems(model_.get(), out); }, "it has no build");
     for (BOOL more = 0; lib3mf_builditemiterator_movenext(items.get(), &more) == 0 && more;) {
       const Handle item =
           made([&](auto** out) { return lib3mf_builditemiterator_getcurrent(items.get(), out); }, "an item is missing");
@@ -115,8 +116,8 @@ class Package {
     for (DWORD i = 0; i < count; ++i) {
       const Handle component = made([&](auto** out) { return lib3mf_componentsobject_getcomponent(object, i, out); },
                                     "a component is missing");
-      const Handle part =
-          made([&](auto** out) { return lib3mf_component_getobjectresource(component.get(), out); }, "an object is missing");
+      const Handle part = made([&](auto** out) { return lib3mf_component_getobjectresource(component.get(), out); },
+                               "an object is missing");
       BOOL has = 0;
       MODELTRANSFORM transform{};
       check(lib3mf_component_hastransform(component.get(), &has), "a component is malformed");
@@ -155,16 +156,16 @@ class Package {
       cost += std::uint64_t{vertices} + triangles;
       stored_ = SceneCost::sum(stored_, cost);
     } else {
-      for_each_component(object, [&](PLib3MFBase* part, const Affine3d&) {
-        cost = SceneCost::sum(cost, cost_of(part, depth + 1));
-      });
+      for_each_component(
+          object, [&](PLib3MFBase* part, const Affine3d&) { cost = SceneCost::sum(cost, cost_of(part, depth + 1)); });
     }
     return costs_[id] = cost;
   }
 
   void place(PLib3MFBase* object, const Affine3d& to_world) {
     if (!is_mesh(object)) {
-      for_each_component(object, [&](PLib3MFBase* part, const Affine3d& transform) { place(part, to_world * transform); });
+      for_each_component(object,
+                         [&](PLib3MFBase* part, const Affine3d& transform) { place(part, to_world * transform); });
       return;
     }
     ++soup_.scene.instances;
@@ -177,10 +178,12 @@ class Package {
     check(lib3mf_meshobject_getvertices(object, positions.data(), vertices, &count), "a mesh is malformed");
     check(lib3mf_meshobject_gettriangleindices(object, corners.data(), triangles, &count), "a mesh is malformed");
     for (const MODELMESHVERTEX& v : positions)
-      soup_.vertices.push_back(to_world * Eigen::Vector3f(v.m_fPosition[0], v.m_fPosition[1], v.m_fPosition[2]).cast<double>());
+      soup_.vertices.push_back(to_world *
+                               Eigen::Vector3f(v.m_fPosition[0], v.m_fPosition[1], v.m_fPosition[2]).cast<double>());
     for (const MODELMESHTRIANGLE& triangle : corners) {
       for (const DWORD corner : {triangle.m_nIndices[0], triangle.m_nIndices[1], triangle.m_nIndices[2]}) {
-        if (corner >= vertices) fail("index " + std::to_string(corner) + " of " + std::to_string(vertices) + " vertices");
+        if (corner >= vertices)
+          fail("index " + std::to_string(corner) + " of " + std::to_string(vertices) + " vertices");
         soup_.corners.push_back(static_cast<std::uint32_t>(begin + corner));
       }
       soup_.close_polygon();

@@ -15,9 +15,9 @@ struct Conflict {
 };
 
 struct MergeSummary {
-  std::size_t rows = 0;       ///< in the target, afterwards
-  std::size_t added = 0;      ///< meshes that were not in it, or of which less was known
-  std::size_t conflicts = 0;  ///< all of them
+  std::size_t rows = 0;         ///< in the target, afterwards
+  std::size_t added = 0;        ///< meshes that were not in it, or of which less was known
+  std::size_t conflicts = 0;    ///< all of them
   std::vector<Conflict> first;  ///< the first of each store
 };
 

@@ -18,10 +18,10 @@ namespace rectilin::corpus {
 struct CorpusOptions {
   /// A program that calls run_worker(3, ...), with its arguments; the first word is a path.
   std::vector<std::string> worker_command;
-  int workers = 1;                      ///< processes at a time
-  std::optional<double> seconds;        ///< for each mesh, from reading on
-  std::optional<std::uint64_t> memory;  ///< bytes for each worker, beyond what it begins with
-  bool retry = false;                   ///< meshes that failed or were limited, too
+  int workers = 1;                          ///< processes at a time
+  std::optional<double> seconds;            ///< for each mesh, from reading on
+  std::optional<std::uint64_t> memory;      ///< bytes for each worker, beyond what it begins with
+  bool retry = false;                       ///< meshes that failed or were limited, too
   std::vector<std::filesystem::path> done;  ///< stores of the same task whose meshes need not be done again
 };
 

@@ -70,8 +70,8 @@ class Store {
   Task task() const;
 
   /// Notes that a run begins, on these meshes: those without a row become rows to be done, and rows to be done of other
-  /// meshes go. With `retry`, meshes that failed or were limited are to be done again. Returns the indices of the meshes
-  /// to be done, in their order. Throws ParameterError if two different sources have one name.
+  /// meshes go. With `retry`, meshes that failed or were limited are to be done again. Returns the indices of the
+  /// meshes to be done, in their order. Throws ParameterError if two different sources have one name.
   std::vector<std::size_t> begin_run(std::span<const NamedSource> meshes, const Shard& shard, bool retry);
   void end_run();
 

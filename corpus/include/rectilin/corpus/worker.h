@@ -26,7 +26,4 @@ using MakeWork = std::function<Work(const Task& task, std::optional<double> seco
 /// memory of this process as it is told to. Returns the exit status.
 int run_worker(int socket, const MakeWork& make_work);
 
-/// An object of what a reader found in a file.
-Json to_json(const MeshReport& report);
-
 }  // namespace rectilin::corpus

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "rectilin/base/parameters.h"
 #include "rectilin/mesh/mesh.h"
 
 namespace rectilin {
@@ -32,8 +33,8 @@ std::optional<MeshFormat> format_of_extension(const std::filesystem::path& file)
 ///
 /// Of glTF and 3MF the scene is read: what it shows, or is to be built, with every instance in its place, in metres
 /// (see MeshReport::scene). Skins, morph targets, materials and images are left out; a file that needs a compression of
-/// its geometry (Draco, meshopt) is refused, and so is one whose instances come to more than 2^25 vertices and triangles.
-/// A 3MF file may unpack to 300 times its size, or to 64 MiB if that is more.
+/// its geometry (Draco, meshopt) is refused, and so is one whose instances come to more than 2^25 vertices and
+/// triangles. A 3MF file may unpack to 300 times its size, or to 64 MiB if that is more.
 ///
 /// A polygon becomes a fan if the fan does not fold over itself, else its ears are clipped, so that
 /// a planar concave polygon keeps its area. Both look at the polygon along the coordinate axis
@@ -52,6 +53,9 @@ LoadedMesh read_mesh(std::string_view bytes, MeshFormat format, const std::strin
 
 /// The same, the format taken from the content or the extension of `name`.
 LoadedMesh read_mesh(std::string_view bytes, const std::string& name, const ReadBeside& beside);
+
+/// An object of the counts by their names, with the scene if the format has one.
+Json to_json(const MeshReport& report);
 
 struct WriteOptions {
   bool binary = true;  ///< PLY and STL only; OFF and OBJ are text

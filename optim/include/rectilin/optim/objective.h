@@ -69,11 +69,14 @@ class Objective {
   /// in it that share a row of the matrix, bit for bit, may share that row's work.
   virtual void values(std::span<const Rotation> rotations, std::span<double> values) const = 0;
 
+  /// The objective at one rotation.
+  double value(const Rotation& rotation) const;
+
   /// Can it give cuts? If not, cuts() must not be called.
   virtual bool has_cuts() const { return false; }
   virtual void cuts(std::span<const Rotation> rotations, std::span<Cut> cuts) const;
   virtual CutBounds cut_bounds() const { return {}; }
-  /// As long-lived as the objective. Sharpen proofs where there are any.
+  /// Valid while the objective lives. Optional; makes proofs tighter.
   virtual Generators generators() const { return {}; }
 
   /// Can it give a smooth surrogate? If not, smooth() must not be called.
