@@ -100,6 +100,7 @@ std::vector<std::string> named_sources(const std::vector<std::string>& named) {
 
 int run_into_store(const MeasureCommand& command) {
   if (command.json || !command.proof.empty()) throw ParameterError("--json and --proof do not go with a store");
+  options_of(command);  // complains of what the workers would, before there are any
   const Budget& budget = command.budget;
   return work_into_store(named_sources(command.sources), corpus_task(command), command.corpus,
                          budget.limits_seconds() ? std::optional(budget.seconds) : std::nullopt, command.threads);

@@ -115,7 +115,9 @@ class OpenArchives {
 };
 
 /// macOS puts "._x.obj" beside x.obj, which is no mesh.
+/// Names with control characters would break the lines that lists and errors are made of.
 bool is_mesh_member(const std::string& member) {
+  if (std::ranges::any_of(member, [](unsigned char c) { return c < ' '; })) return false;
   const fs::path path(member);
   return format_of_extension(path) && !path.filename().string().starts_with("._");
 }
