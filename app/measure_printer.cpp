@@ -6,18 +6,6 @@
 namespace rectilin::app {
 namespace {
 
-Json to_json(const MeshReport& r) {
-  return {{"vertices", r.vertices},
-          {"polygons", r.polygons},
-          {"triangulated", r.triangulated},
-          {"nonfinite_vertices", r.nonfinite_vertices},
-          {"dropped_nonfinite", r.dropped_nonfinite},
-          {"dropped_short", r.dropped_short},
-          {"degenerate", r.degenerate},
-          {"duplicate_vertices", r.duplicate_vertices},
-          {"unreferenced_vertices", r.unreferenced_vertices}};
-}
-
 Json to_json(const std::string& name, const Outcome<MeasuredMesh>& row) {
   Json line = {{"name", name}};
   if (!row.value) {
@@ -25,7 +13,7 @@ Json to_json(const std::string& name, const Outcome<MeasuredMesh>& row) {
     return line;
   }
   line.update(rectilin::to_json(row.value->result));
-  line["report"] = to_json(row.value->report);
+  line["report"] = rectilin::to_json(row.value->report);
   return line;
 }
 

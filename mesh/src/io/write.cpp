@@ -123,8 +123,11 @@ std::string to_bytes(const Mesh& mesh, MeshFormat format, bool binary, const std
       return to_ply(mesh, binary);
     case MeshFormat::kStl:
       return binary ? to_stl_binary(mesh, name) : to_stl_text(mesh);
+    case MeshFormat::kGltf:
+    case MeshFormat::k3mf:
+      break;
   }
-  throw MeshError(name + ": unknown format");
+  throw MeshError(name + ": this format is read, but not written");
 }
 
 }  // namespace

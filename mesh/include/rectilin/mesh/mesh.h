@@ -25,7 +25,14 @@ struct Mesh {
   std::vector<Triangle> triangles;
 };
 
-/// What a reader found, repaired or dropped on the way from a file to a Mesh. All are counts.
+/// What a file with a scene graph (glTF, 3MF) says of the whole. All are 0 for other formats.
+struct SceneReport {
+  double metres_per_unit = 0;  ///< the file's unit of length, by which the mesh has been scaled: it is in metres
+  std::size_t instances = 0;   ///< meshes placed in the scene, each as often as it is placed
+  std::size_t skipped = 0;     ///< parts of them that are points or lines, or have no positions
+};
+
+/// What a reader found, repaired or dropped on the way from a file to a Mesh. All but `scene` are counts.
 struct MeshReport {
   std::size_t vertices = 0;               ///< vertex records in the file (STL: three for each triangle)
   std::size_t polygons = 0;               ///< face records in the file, strips counted by triangle
@@ -38,6 +45,7 @@ struct MeshReport {
   std::size_t duplicate_vertices = 0;     ///< vertices at a position that an earlier one has, kept;
                                           ///< none in STL, whose repeated corners are welded
   std::size_t unreferenced_vertices = 0;  ///< vertices that no triangle uses, kept
+  SceneReport scene;
 };
 
 /// Thrown when a mesh cannot be read, made or measured. what() is one line: "FILE:PLACE: reason", where PLACE is "line N" for
