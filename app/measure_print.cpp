@@ -3,21 +3,10 @@
 
 #include "measure_row.h"
 #include "rectilin/measure/projected_area.h"
+#include "rectilin/mesh/mesh_report.h"
 
 namespace rectilin::app {
 namespace {
-
-Json to_json(const MeshReport& r) {
-  return {{"vertices", r.vertices},
-          {"polygons", r.polygons},
-          {"triangulated", r.triangulated},
-          {"nonfinite_vertices", r.nonfinite_vertices},
-          {"dropped_nonfinite", r.dropped_nonfinite},
-          {"dropped_short", r.dropped_short},
-          {"degenerate", r.degenerate},
-          {"duplicate_vertices", r.duplicate_vertices},
-          {"unreferenced_vertices", r.unreferenced_vertices}};
-}
 
 const char* to_string(Optimum::Kind kind) {
   switch (kind) {
@@ -61,15 +50,14 @@ Json to_json(const Row& row) {
     line["parallel_faces"] = row.parallel_faces;
     if (!row.certified->optima.empty()) line["optima"] = to_json(row.certified->optima);
   }
-  line["report"] = to_json(row.report);
+  line["report"] = rectilin::to_json(row.report);
   return line;
 }
 
 std::vector<Table::Column> columns(const std::vector<std::string>& sources) {
-  std::size_t widest = 0;
-  for (const auto& s : sources) widest = std::max(widest, s.size());
-  return {{"name", widest}, {"faces", 8}, {"directions", 8}, {"area", 11},     {"R", 12},          {"at most", 12},
-          {"alpha", 8},     {"beta", 8},  {"gamma", 8},      {"optimizer", 9}, {"evaluations", 8}, {"seconds", 8}};
+  return {{"name", widest(sources)}, {"faces", 8},  {"directions", 8}, {"area", 11}, {"R", 12},
+          {"at most", 12},           {"alpha", 8},  {"beta", 8},       {"gamma", 8}, {"optimizer", 9},
+          {"evaluations", 8},        {"seconds", 8}};
 }
 
 std::vector<std::string> cells(const Row& row) {
@@ -104,6 +92,7 @@ void Printer::print(const Row& row) {
     // Errors of files begin with the file's name; the others do not.
     complain(row.error.starts_with(row.name) ? row.error : row.name + ": " + row.error);
   }
+  if (row.error.empty()) complain_of_loss(row.name, row.report);
   if (json_) std::cout << to_text(to_json(row)) << '\n';
   else if (row.error.empty()) std::cout << table_.row(cells(row)) << '\n';
   check_output();

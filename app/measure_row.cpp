@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "rectilin/base/batch.h"
 #include "rectilin/measure/projected_area.h"
 #include "rectilin/measure/verify.h"
 #include "rectilin/mesh/source.h"
@@ -74,7 +75,7 @@ Row measure_source(const std::string& source, const Optimizer& optimizer, const 
     row.error = row.run.error;
     if (row.error.empty() && !std::isfinite(row.run.merit)) row.error = "the budget ends before the first rotation";
   } catch (const std::exception& e) {
-    row.error = e.what();
+    row.error = error_about(source, e.what());
   }
   return row;
 }

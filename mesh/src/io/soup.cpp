@@ -133,6 +133,7 @@ LoadedMesh assemble(PolygonSoup soup, const std::string& name) {
 
   LoadedMesh loaded;
   MeshReport& report = loaded.report;
+  report = soup.report;
   report.vertices = soup.vertices.size();
   report.polygons = soup.ends.size();
   const std::vector<std::uint32_t> target = compact_vertices(soup, report);

@@ -75,7 +75,7 @@ const Experiment& find_experiment(const std::string& name);
 struct ExperimentOutcome {
   std::string says;
   std::vector<std::string> mesh_errors;
-  std::vector<std::string> picture_troubles;
+  PictureTroubles pictures;
 };
 ExperimentOutcome run_experiment(const Experiment& experiment, const Json& settings, const ExperimentContext& context,
                                  const std::filesystem::path& folder, const std::string& command_line);
