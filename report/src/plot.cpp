@@ -38,17 +38,17 @@ constexpr char kName = '\x01';
 const std::string kData = std::string("'") + kName + ".csv'";
 
 /// A gnuplot string; nothing in printable text is special between single quotes but these.
-std::string quoted(const std::string& text) {
+std::string gnuplot_string(const std::string& text) {
   std::string result = "'";
   for (const char c : printable(text)) result += c == '\'' ? std::string("''") : std::string(1, c);
   return result + "'";
 }
 
 /// The same for a label of a tic, which gnuplot takes for a format of the tic's number.
-std::string quoted_tic(const std::string& text) {
+std::string tic_string(const std::string& text) {
   std::string format;
   for (const char c : text) format += c == '%' ? std::string("%%") : std::string(1, c);
-  return quoted(format);
+  return gnuplot_string(format);
 }
 
 std::string line(const LineStyle& style, double width) {
@@ -74,7 +74,7 @@ std::string axis(const char* name, const Axis& a, bool small) {
   std::ostringstream text;
   if (!a.label.empty())
     // The empty line below the label keeps the legend away from it.
-    text << "set " << name << "label " << quoted(a.label)
+    text << "set " << name << "label " << gnuplot_string(a.label)
          << (*name == 'x' ? ".\"\\n\" noenhanced offset 0,0.5\n" : " noenhanced\n");
   else text << "unset " << name << "label\n";
   text << (a.logarithmic ? "set" : "unset") << " logscale " << name << "\n";
@@ -108,7 +108,7 @@ std::string plot(const Panel& panel, double width) {
                             : "lines ")
          << (curve.faint ? "lc rgb '#c8c8c8' lw 1 dt solid" : line(curve.style, width));
     if (curve.label.empty()) text << " notitle";
-    else text << " title " << quoted(shortened(curve.label, kLegend)) << " noenhanced";
+    else text << " title " << gnuplot_string(shortened(curve.label, kLegend)) << " noenhanced";
   }
   text << '\n';
   return text.str();
@@ -130,7 +130,7 @@ Plot::Size size_of(const std::vector<Panel>& panels, int columns) {
 std::string single(const std::string& title, const Panel& panel, Plot::Size size) {
   const int columns = legend_columns(panel);
   std::ostringstream text;
-  text << terminal(size, 13) << "set title " << quoted(shortened(title, kTitle)) << " noenhanced\n"
+  text << terminal(size, 13) << "set title " << gnuplot_string(shortened(title, kTitle)) << " noenhanced\n"
        << "set key bmargin center horizontal Left reverse samplen 2.5 font ',11' maxcols " << columns << " noenhanced\n"
        << "set grid lc rgb '#e0e0e0' lw 1\nset border 3\nset tics nomirror\n"
        << axis("x", panel.x, false) << axis("y", panel.y, false) << plot(panel, 2.2);
@@ -140,11 +140,11 @@ std::string single(const std::string& title, const Panel& panel, Plot::Size size
 std::string grid(const std::string& title, const std::vector<Panel>& panels, int columns, Plot::Size size) {
   std::ostringstream text;
   text << terminal(size, 12) << "set multiplot layout " << rows_of(panels.size(), columns) << ',' << columns
-       << " title " << quoted(shortened(title, kTitle))
+       << " title " << gnuplot_string(shortened(title, kTitle))
        << " noenhanced\nunset key\nset tmargin 2.6\nset bmargin 3.3\nset rmargin 2\n"
        << "set grid lc rgb '#e8e8e8' lw 1\nset border 3\nset tics nomirror\n";
   for (const Panel& panel : panels)
-    text << "set title " << quoted(shortened(panel.title, kPanelTitle)) << " noenhanced offset 0,-0.5\n"
+    text << "set title " << gnuplot_string(shortened(panel.title, kPanelTitle)) << " noenhanced offset 0,-0.5\n"
          << axis("x", panel.x, true) << axis("y", panel.y, true) << plot(panel, 2);
   text << "unset multiplot\n";
   return text.str();
@@ -174,7 +174,7 @@ Plot::Size size_of(const HeatMap& map) {
 std::string heat_map(const HeatMap& map, Plot::Size size) {
   const Margins margin = margins(map);
   std::ostringstream text;
-  text << terminal(size, 13) << "set title " << quoted(map.title) << " noenhanced\nunset key\n"
+  text << terminal(size, 13) << "set title " << gnuplot_string(map.title) << " noenhanced\nunset key\n"
        << "set lmargin at screen " << static_cast<double>(margin.left) / size.width << "\nset rmargin at screen "
        << 1 - static_cast<double>(margin.right) / size.width << "\nset bmargin at screen "
        << static_cast<double>(margin.bottom) / size.height << "\nset tmargin at screen "
@@ -183,15 +183,15 @@ std::string heat_map(const HeatMap& map, Plot::Size size) {
        << "set colorbox user origin screen " << 1 - (margin.right - 12.0) / size.width << ','
        << static_cast<double>(margin.bottom) / size.height << " size screen " << 14.0 / size.width << ','
        << 1 - static_cast<double>(margin.bottom + margin.top) / size.height << "\n"
-       << "set cblabel " << quoted(map.scale) << " noenhanced\nset border lc rgb '#808080'\n"
+       << "set cblabel " << gnuplot_string(map.scale) << " noenhanced\nset border lc rgb '#808080'\n"
        << "set xrange [-0.5:" << static_cast<double>(map.columns.size()) - 0.5 << "]\nset yrange ["
        << static_cast<double>(map.rows.size()) - 0.5
        << ":-0.5]\nset tics scale 0 textcolor rgb 'black' noenhanced\nset xtics rotate by 40 right (";
   for (std::size_t i = 0; i < map.columns.size(); ++i)
-    text << (i > 0 ? ", " : "") << quoted_tic(shortened(map.columns[i], kRowName)) << ' ' << i;
+    text << (i > 0 ? ", " : "") << tic_string(shortened(map.columns[i], kRowName)) << ' ' << i;
   text << ")\nset ytics (";
   for (std::size_t i = 0; i < map.rows.size(); ++i)
-    text << (i > 0 ? ", " : "") << quoted_tic(shortened(map.rows[i], kRowName)) << ' ' << i;
+    text << (i > 0 ? ", " : "") << tic_string(shortened(map.rows[i], kRowName)) << ' ' << i;
   text << ")\n";
   double least = INFINITY, largest = -INFINITY;
   for (const auto& row : map.values)
