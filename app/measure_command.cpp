@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 
 #include "commands.h"
 #include "corpus_measure.h"
@@ -32,13 +33,11 @@ struct MeasureCommand {
   CorpusArguments corpus;
 };
 
-std::vector<std::string> lines_of(std::istream& in) {
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) {
-    if (line.ends_with('\r')) line.pop_back();
-    if (!line.empty()) lines.push_back(line);
-  }
-  return lines;
+/// The sources in the list on standard input.
+std::vector<std::string> listed_sources() {
+  std::ostringstream list;
+  if (std::cin.peek() != std::istream::traits_type::eof()) list << std::cin.rdbuf();
+  return sources_in_list(list.view(), "standard input");
 }
 
 /// What to do with each mesh.
@@ -93,7 +92,7 @@ std::vector<std::string> named_sources(const std::vector<std::string>& named) {
   for (const std::string& source : named) {
     if (source != "-") given.push_back(source);
     else
-      for (const std::string& line : lines_of(std::cin)) given.push_back(line);
+      for (const std::string& name : listed_sources()) given.push_back(name);
   }
   return given;
 }
@@ -168,8 +167,10 @@ void add_measure_command(CLI::App& app, int& status) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->default_str(options->optimizer);
   command->add_option("-g,--gap", options->gap, "Width to which certify encloses R (default: 1e-6)")->check(width());
-  command->add_option("-p,--proof", options->proof,
-                      "File for a proof of the bounds, one mesh; 'rectilin verify' checks it");
+  command
+      ->add_option("-p,--proof", options->proof,
+                   "File for a proof of the bounds, one mesh; 'rectilin verify' checks it")
+      ->check([](const std::string& file) { return file.empty() ? "a proof needs a file's name" : ""; });
   command->add_flag("--optima", options->optima, "Find all poses within the gap (shown with --json)");
   command
       ->add_option("-d,--domain", options->domain,

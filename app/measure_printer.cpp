@@ -3,6 +3,8 @@
 #include <iostream>
 #include <numbers>
 
+#include "rectilin/mesh/mesh_report.h"
+
 namespace rectilin::app {
 namespace {
 
@@ -18,10 +20,9 @@ Json to_json(const std::string& name, const Outcome<MeasuredMesh>& row) {
 }
 
 std::vector<Table::Column> columns(const std::vector<std::string>& sources) {
-  std::size_t widest = 0;
-  for (const auto& s : sources) widest = std::max(widest, s.size());
-  return {{"name", widest}, {"faces", 8}, {"directions", 8}, {"area", 11},     {"R", 12},          {"at most", 12},
-          {"alpha", 8},     {"beta", 8},  {"gamma", 8},      {"optimizer", 9}, {"evaluations", 8}, {"seconds", 8}};
+  return {{"name", widest(sources)}, {"faces", 8},  {"directions", 8}, {"area", 11}, {"R", 12},
+          {"at most", 12},           {"alpha", 8},  {"beta", 8},       {"gamma", 8}, {"optimizer", 9},
+          {"evaluations", 8},        {"seconds", 8}};
 }
 
 std::vector<std::string> cells(const std::string& name, const Rectilinearity& r) {
@@ -51,6 +52,8 @@ void MeasurePrinter::print(const std::string& name, const Outcome<MeasuredMesh>&
   if (!row.value) {
     ++failed_;
     complain(row.error);
+  } else {
+    complain_of_loss(name, row.value->report);
   }
   if (json_) std::cout << to_text(to_json(name, row)) << '\n';
   else if (row.value) std::cout << table_.row(cells(name, row.value->result)) << '\n';

@@ -9,6 +9,7 @@
 
 #include "channel.h"
 #include "rectilin/measure/verify.h"
+#include "rectilin/mesh/mesh_report.h"
 #include "rectilin/mesh/source.h"
 
 namespace rectilin::corpus {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "rectilin/mesh/mesh_io.h"
+#include "rectilin/mesh/mesh_report.h"
 
 namespace rectilin::fuzz {
 
@@ -26,6 +27,9 @@ inline void check(const LoadedMesh& loaded) {
   require(report.polygons - report.dropped_short - report.dropped_nonfinite <= mesh.triangles.size());
   require(mesh.vertices.size() + report.nonfinite_vertices <= report.vertices);
   require(report.unreferenced_vertices <= mesh.vertices.size());
+  require(report.first_unknown.empty() == (report.unknown_statements == 0));
+  require(report.left_over_place.empty() == (report.left_over_bytes == 0));
+  require(summary(report).find('\n') == std::string::npos);
 }
 
 /// Runs a reader, which either throws MeshError with one line or keeps these promises.

@@ -2,30 +2,21 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <new>
 #include <optional>
 
+#include "io/signature.h"
 #include "io/soup.h"
 #include "io/text.h"
+#include "rectilin/base/whole_file.h"
 
 namespace rectilin {
 namespace {
 
-std::string read_bytes(const std::filesystem::path& file) {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) throw MeshError(file.string() + ": no such file");
-  if (!std::filesystem::is_regular_file(status)) {
-    throw MeshError(file.string() + ": not a regular file");
-  }
-  std::ifstream stream(file, std::ios::binary | std::ios::ate);
-  if (!stream) throw MeshError(file.string() + ": cannot be opened");
-  std::string bytes(static_cast<std::size_t>(stream.tellg()), '\0');
-  stream.seekg(0);
-  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!stream) throw MeshError(file.string() + ": cannot be read");
-  return bytes;
+std::string read_bytes(const std::filesystem::path& file) try {
+  return read_whole_file(file);
+} catch (const std::runtime_error& e) {
+  throw MeshError(e.what());
 }
 
 std::optional<MeshFormat> format_of_content(std::string_view bytes) {
@@ -34,6 +25,12 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes) {
   if (looks_like_off(bytes)) return MeshFormat::kOff;
   if (looks_like_stl(bytes)) return MeshFormat::kStl;
   return std::nullopt;
+}
+
+/// A pipe has no name that tells its format.
+bool is_file(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(file, ignored);
 }
 
 bool is_utf16(std::string_view bytes) { return bytes.substr(0, 2) == "\xFF\xFE" || bytes.substr(0, 2) == "\xFE\xFF"; }
@@ -86,18 +83,28 @@ std::optional<MeshFormat> format_of_extension(const std::filesystem::path& file)
 LoadedMesh read_mesh(std::string_view bytes, MeshFormat format, const std::string& name, const ReadBeside& beside) {
   if (bytes.empty()) throw MeshError(name + ": the file is empty");
   if (is_utf16(bytes)) throw MeshError(name + ":byte 0: UTF-16 text is not supported");
+  if (const std::string_view kind = foreign_kind(bytes);
+      !kind.empty() && format != MeshFormat::k3mf && format != MeshFormat::kGltf && !is_binary_stl(bytes))
+    throw MeshError(name + ": not a mesh but " + std::string(kind));
   return assemble(read_soup(bytes, format, name, beside), name);
 }
 
 LoadedMesh read_mesh(std::string_view bytes, const std::string& name, const ReadBeside& beside) {
   std::optional<MeshFormat> format = format_of_content(bytes);
   if (!format) format = format_of_extension(name);
-  if (!format) throw MeshError(name + ": neither content nor name tell a known format");
+  if (!format && bytes.empty()) throw MeshError(name + ": the file is empty");
+  if (!format && foreign_kind(bytes).empty())
+    throw MeshError(name + ": neither content nor name tell a known format");
+  if (!format) throw MeshError(name + ": not a mesh but " + std::string(foreign_kind(bytes)));
   return read_mesh(bytes, *format, name, beside);
 }
 
 LoadedMesh read_mesh(const std::filesystem::path& file) try {
-  return read_mesh(read_bytes(file), file.string(), [&](const std::string& path) { return read_beside(file, path); });
+  const std::string bytes = read_bytes(file);
+  const auto beside = [&](const std::string& path) { return read_beside(file, path); };
+  if (!is_file(file) && !format_of_content(bytes) && !format_of_extension(file) && looks_like_obj(bytes))
+    return read_mesh(bytes, MeshFormat::kObj, file.string(), beside);
+  return read_mesh(bytes, file.string(), beside);
 } catch (const std::bad_alloc&) {
   throw MeshError(file.string() + ": not enough memory");
 }

@@ -133,6 +133,7 @@ LoadedMesh assemble(PolygonSoup soup, const std::string& name) {
 
   LoadedMesh loaded;
   MeshReport& report = loaded.report;
+  report = soup.report;
   report.vertices = soup.vertices.size();
   report.polygons = soup.ends.size();
   report.scene = soup.scene;

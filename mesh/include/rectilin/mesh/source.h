@@ -27,8 +27,12 @@ bool is_shape_source(std::string_view source);
 LoadedMesh load_mesh(const std::string& source);
 
 /// Replaces each folder by the mesh files and archives in it and below, sorted by path; each archive by the meshes in
-/// it, in their order there; and each list by what it names. Other sources stay as they are, existing or not, and so do
-/// those that cannot be read or in which there is no mesh, for load_mesh() to say why.
+/// it, in their order there; and each list by what it names. Other sources stay as they are, existing or not. Links to
+/// folders are followed, and each folder is looked into once. What is no mesh but looks like one by its name, the files
+/// `._NAME` of macOS, is passed over.
+///
+/// What cannot be looked at stays in the list in its own place, so that load_mesh() says why: folders that cannot be
+/// read or hold no mesh, links to nowhere with the name of a mesh, and links to a folder that they are in.
 ///
 /// A list is a file .txt or .lst of one source a line, with a class behind a tab if there is one, and comments behind #;
 /// or a file .csv with columns `source` (or `path`, `file`), `name` and `class` (or `category`, `label`), in any order
@@ -38,5 +42,10 @@ std::vector<NamedSource> expand_sources(const std::vector<std::string>& sources)
 
 /// The sources of expand_sources().
 std::vector<std::string> expand_folders(const std::vector<std::string>& sources);
+
+/// The names in a list: one a line (LF or CRLF, with or without a UTF-8 byte order mark; empty lines do not count), or
+/// each ended by NUL as `find -print0` writes them. Throws MeshError for text with NUL that is not such a list, UTF-16
+/// for one. `name` stands for the list in errors.
+std::vector<std::string> sources_in_list(std::string_view list, const std::string& name);
 
 }  // namespace rectilin
