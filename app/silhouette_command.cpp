@@ -17,6 +17,9 @@
 namespace rectilin::app {
 namespace {
 
+constexpr int kDigits = 12;
+constexpr double kOutward = 6e-12;  // more than rounding to so many digits changes
+
 struct Options {
   std::vector<std::string> sources, directions;
   std::size_t views = 0;
