@@ -3,6 +3,8 @@
 #include <iostream>
 #include <numbers>
 
+#include "rectilin/mesh/mesh_io.h"
+
 namespace rectilin::app {
 namespace {
 
