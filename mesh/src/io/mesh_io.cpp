@@ -24,12 +24,6 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes) {
   return std::nullopt;
 }
 
-/// A pipe has no name that tells its format.
-bool is_file(const std::filesystem::path& file) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(file, ignored);
-}
-
 bool is_utf16(std::string_view bytes) { return bytes.substr(0, 2) == "\xFF\xFE" || bytes.substr(0, 2) == "\xFE\xFF"; }
 
 PolygonSoup read_soup(std::string_view bytes, MeshFormat format, const std::string& name) {
@@ -70,7 +64,7 @@ LoadedMesh read_mesh(const std::filesystem::path& file) try {
   const std::string bytes = read_bytes(file);
   std::optional<MeshFormat> format = format_of_content(bytes);
   if (!format) format = format_of_extension(file);
-  if (!format && !is_file(file) && looks_like_obj(bytes)) format = MeshFormat::kObj;
+  if (!format && !file.has_extension() && looks_like_obj(bytes)) format = MeshFormat::kObj;
   if (!format && bytes.empty()) throw MeshError(file.string() + ": the file is empty");
   if (!format && foreign_kind(bytes).empty())
     throw MeshError(file.string() + ": neither content nor name tell a known format");
