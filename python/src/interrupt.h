@@ -44,12 +44,17 @@ class Interrupt {
 /// Runs `work` without the GIL, then raises what came up in between.
 template <class Work>
 auto without_gil(const Interrupt& interrupt, const Work& work) {
-  auto result = [&] {
-    const py::gil_scoped_release release;
-    return work();
-  }();
-  interrupt.rethrow();
-  return result;
+  try {
+    auto result = [&] {
+      const py::gil_scoped_release release;
+      return work();
+    }();
+    interrupt.rethrow();
+    return result;
+  } catch (...) {  // what was raised is the reason of whatever failed after it
+    interrupt.rethrow();
+    throw;
+  }
 }
 
 }  // namespace rectilin::python
