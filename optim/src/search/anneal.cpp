@@ -12,7 +12,7 @@ namespace {
 /// Simulated annealing (Kirkpatrick, Gelatt, Vecchi 1983) by random turns of the frame.
 /// Temperatures are relative to the spread of the objective over random rotations, so that the same
 /// settings suit every mesh; the length of the turns follows the share of moves accepted (as in
-/// Corana et al. 1987). With nothing but a limit of time it anneals again and again, each time
+/// Corana et al. 1987). If only a time limit is set it anneals again and again, each time
 /// twice as long (Allowance::plan()), and goes on from the incumbent.
 struct AnnealingOptions {
   enum class Cooling { kGeometric, kLinear, kFast, kBoltzmann };

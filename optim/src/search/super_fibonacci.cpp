@@ -13,7 +13,7 @@ namespace {
 
 /// The rotations of a super-Fibonacci spiral (Alexa 2022): a sequence on the sphere of unit
 /// quaternions, spread more evenly than random ones. The number of points is part of the sequence:
-/// all change with it. With nothing but a limit of time, one spiral after the other, each of twice
+/// all change with it. If only a time limit is set, one spiral after the other, each of twice
 /// as many points.
 struct SuperFibonacciOptions {
   int count = 0;

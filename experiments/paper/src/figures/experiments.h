@@ -21,6 +21,7 @@ Experiment fig12();
 Experiment fig13();
 Experiment fig14();
 Experiment fig15();
+Experiment gallery();
 Experiment gap();
 Experiment shortfall();
 

@@ -34,7 +34,7 @@ struct ActiveGenerator {
   std::size_t generator;  ///< index into Objective::generators()
 };
 
-/// A set of frames within the gap of the best value, as far as it could be told apart from others.
+/// A set of frames within the gap of the best value, distinct optima closer than the resolution are merged.
 struct Optimum {
   enum class Kind {
     kPoint,      ///< a minimum; other frames within the gap are near it (0.02 radians) or in a ball where none is lower

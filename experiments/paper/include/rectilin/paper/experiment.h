@@ -58,17 +58,17 @@ const std::vector<Experiment>& experiments();
 /// Throws ParameterError for a name that there is not.
 const Experiment& find_experiment(const std::string& name);
 
-/// Runs an experiment and writes into `folder`, which is made if need be: NAME.json (settings,
-/// seed, meshes, provenance, `says` and all data) and for each picture its CSV, gnuplot (of curves)
-/// and SVG files. `troubles` of the result are lines about meshes or pictures: those that failed
-/// are missing, and the rest is written all the same. Throws what Experiment::run() throws (then
-/// nothing is written), ParameterError for meshes given to an experiment that takes none, and
-/// std::runtime_error if the folder cannot be written.
 struct ExperimentOutcome {
-  std::string says;
-  std::vector<std::string> mesh_errors;
-  std::vector<std::string> picture_troubles;
+  std::string says;                      ///< see ExperimentResult
+  std::vector<std::string> mesh_errors;  ///< a line for each mesh that could not be measured
+  PictureTroubles pictures;              ///< what could not be drawn
 };
+
+/// Runs an experiment and writes into `folder`, which is made if need be: NAME.json (settings, seed, meshes, provenance,
+/// `says` and all data) and for each picture its CSV, gnuplot (of curves) and SVG files. Meshes and pictures that failed
+/// are missing, with a line in the outcome; the rest is written all the same. Throws what Experiment::make() throws (then
+/// nothing is written), ParameterError for meshes given to an experiment that takes none, and std::runtime_error if the
+/// folder cannot be written.
 ExperimentOutcome run_experiment(const Experiment& experiment, const Json& settings, const ExperimentContext& context,
                                  const std::filesystem::path& folder, const std::string& command_line);
 
