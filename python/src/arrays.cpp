@@ -186,7 +186,7 @@ py::array_t<double> to_array(const Eigen::Matrix3d& matrix) {
   return to_array(1, true, [&](std::size_t) -> const Eigen::Matrix3d& { return matrix; });
 }
 
-py::array_t<double> to_array(const Vector3& vector) { return {3, vector.data()}; }
+py::array_t<double> to_array(const Vector3& vector) { return py::array_t<double>(3, vector.data()); }
 
 py::object to_python(const std::vector<double>& values, bool one) {
   if (one) return py::float_(values.front());
@@ -198,12 +198,12 @@ py::object to_python(const Json& json) {
     case Json::value_t::object: {
       py::dict result;
       for (const auto& [key, value] : json.items()) result[py::str(key)] = to_python(value);
-      return std::move(result);
+      return result;
     }
     case Json::value_t::array: {
       py::list result;
       for (const Json& value : json) result.append(to_python(value));
-      return std::move(result);
+      return result;
     }
     case Json::value_t::string:
       return py::reinterpret_steal<py::object>(

@@ -51,7 +51,7 @@ void AtWork::end_silent(double seconds, bool all) {
 }
 
 CallableOptimizer::CallableOptimizer(py::function search, std::string name, std::shared_ptr<AtWork> at_work,
-                                     Interrupt* interrupt, bool raise_all)
+                                     Interrupt& interrupt, bool raise_all)
     : search_(std::move(search)),
       name_(std::move(name)),
       at_work_(std::move(at_work)),
@@ -80,8 +80,10 @@ void CallableOptimizer::run(Evaluator& evaluator, const Domain& domain, Random& 
       if (silent) throw std::runtime_error(kSilent);
       return;
     }
-    if (interrupt_ != nullptr && (raise_all_ || !error.matches(PyExc_Exception)))
-      interrupt_->raise_later(std::current_exception());
+    if (raise_all_ || !error.matches(PyExc_Exception)) {
+      interrupt_.raise_later(std::current_exception());
+      return;
+    }
     throw std::runtime_error(one_line(error));
   }
 }

@@ -2,6 +2,7 @@
 
 #include <pybind11/stl.h>
 
+#include "rectilin/mesh/mesh_report.h"
 #include "rectilin/mesh/shapes.h"
 #include "rectilin/mesh/source.h"
 
@@ -35,20 +36,6 @@ py::array_t<Number> inside(const Number* data, std::size_t rows, py::handle owne
   py::array_t<Number> array({static_cast<py::ssize_t>(rows), py::ssize_t{3}}, data, owner);
   py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
   return array;
-}
-
-py::dict to_dict(const MeshReport& r) {
-  py::dict d;
-  d["vertices"] = r.vertices;
-  d["polygons"] = r.polygons;
-  d["triangulated"] = r.triangulated;
-  d["nonfinite_vertices"] = r.nonfinite_vertices;
-  d["dropped_nonfinite"] = r.dropped_nonfinite;
-  d["dropped_short"] = r.dropped_short;
-  d["degenerate"] = r.degenerate;
-  d["duplicate_vertices"] = r.duplicate_vertices;
-  d["unreferenced_vertices"] = r.unreferenced_vertices;
-  return d;
 }
 
 std::shared_ptr<OwnMesh> load(const std::string& source) {
@@ -176,7 +163,7 @@ a copy and without a check.
           "(m, 3) uint32, in the mesh's own memory; read-only.")
       .def_readonly("name", &OwnMesh::name, "The file or shape as given.")
       .def_property_readonly(
-          "report", [](const OwnMesh& self) { return to_dict(self.loaded.report); },
+          "report", [](const OwnMesh& self) { return to_python(to_json(self.loaded.report)); },
           "What the reader found and repaired, as counts: see the README's table.")
       .def("__repr__", [](const OwnMesh& self) {
         return "<rectilin.Mesh '" + self.name + "': " + std::to_string(self.loaded.mesh.vertices.size()) +

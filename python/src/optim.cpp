@@ -66,7 +66,7 @@ RunRecord optimize(const Problem& problem, py::object optimizer, py::object budg
     search = all_optimizers().make(optimizer.cast<std::string>());
   } else if (PyCallable_Check(optimizer.ptr()) != 0) {
     search = std::make_unique<CallableOptimizer>(py::reinterpret_borrow<py::function>(optimizer),
-                                                 name_of_callable(optimizer), std::make_shared<AtWork>(), &interrupt,
+                                                 name_of_callable(optimizer), std::make_shared<AtWork>(), interrupt,
                                                  /*raise_all=*/true);
   } else {
     throw py::type_error("an optimizer is a text such as 'ga?population=100' or a callable");

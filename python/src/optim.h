@@ -47,10 +47,11 @@ class AtWork {
 };
 
 /// A Python callable `search(problem, budget, rng)` behind the interface of an optimizer. Its exceptions are errors of
-/// the run, in one line; but KeyboardInterrupt and SystemExit go to `interrupt`, and if `raise_all` so do all others.
+/// the run, in one line; but KeyboardInterrupt and SystemExit stop it and are raised later by `interrupt`, and if
+/// `raise_all` so are all others.
 class CallableOptimizer final : public Optimizer {
  public:
-  CallableOptimizer(py::function search, std::string name, std::shared_ptr<AtWork> at_work, Interrupt* interrupt,
+  CallableOptimizer(py::function search, std::string name, std::shared_ptr<AtWork> at_work, Interrupt& interrupt,
                     bool raise_all);
   ~CallableOptimizer() override;
 
@@ -63,7 +64,7 @@ class CallableOptimizer final : public Optimizer {
   py::object search_;
   std::string name_;
   std::shared_ptr<AtWork> at_work_;
-  Interrupt* interrupt_;
+  Interrupt& interrupt_;
   bool raise_all_;
 };
 
