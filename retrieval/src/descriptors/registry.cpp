@@ -1,0 +1,20 @@
+// From names to descriptors.
+#include "descriptors/histograms.h"
+#include "descriptors/rectilinearity.h"
+#include "descriptors/shd.h"
+#include "rectilin/retrieval/descriptor.h"
+
+namespace rectilin::retrieval {
+
+const DescriptorFactory& descriptors() {
+  static const DescriptorFactory factory = [] {
+    DescriptorFactory f("descriptor");
+    add_rectilinearity(f);
+    add_histograms(f);
+    add_shd(f);
+    return f;
+  }();
+  return factory;
+}
+
+}  // namespace rectilin::retrieval
