@@ -1,4 +1,5 @@
 // From names to descriptors.
+#include "descriptors/gsmd.h"
 #include "descriptors/histograms.h"
 #include "descriptors/rectilinearity.h"
 #include "descriptors/shd.h"
@@ -12,6 +13,7 @@ const DescriptorFactory& descriptors() {
     add_rectilinearity(f);
     add_histograms(f);
     add_shd(f);
+    add_gsmd(f);
     return f;
   }();
   return factory;
