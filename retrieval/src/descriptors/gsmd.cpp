@@ -20,8 +20,8 @@ struct GsmdOptions {
   int views = 66, size = 256;
   Match match = Match::k24;
   ViewFeatureOptions features;
-  bool unit = false;
-  Curve curve = Curve::kRoot;
+  bool unit = true;
+  Curve curve = Curve::kLinear;
   double fourier = 1, shape = 1;
 
   void bind(Parameters& parameters) {

@@ -1,6 +1,7 @@
 // From names to descriptors.
 #include "descriptors/gsmd.h"
 #include "descriptors/histograms.h"
+#include "descriptors/lfd.h"
 #include "descriptors/rectilinearity.h"
 #include "descriptors/shd.h"
 #include "rectilin/retrieval/descriptor.h"
@@ -14,6 +15,7 @@ const DescriptorFactory& descriptors() {
     add_histograms(f);
     add_shd(f);
     add_gsmd(f);
+    add_lfd(f);
     return f;
   }();
   return factory;

@@ -21,8 +21,9 @@ struct ShdOptions {
   }
 };
 
-/// Section 7.2. Of the complex coefficients the magnitudes for m >= 0 are kept: they do not change under turns about the
-/// polar axis and under reflections, so of the 24 rotations of a frame only the order of its axes remains, 6 matches.
+/// Section 7.2. Of the complex coefficients the magnitudes for m >= 0 are kept: they do not change under turns about
+/// the polar axis and under reflections, so of the 24 rotations of a frame only the order of its axes remains, 6
+/// matches.
 class Shd final : public Descriptor {
  public:
   explicit Shd(ShdOptions options) : options_(std::move(options)), transform_(options_.grid, options_.bandwidth) {}

@@ -105,8 +105,8 @@ std::size_t boundary_pixels(const Mask& mask) {
     const std::uint8_t* row = mask.pixels.data() + mask.at(0, y);
     for (int x = 0; x < mask.size; ++x) {
       const std::uint8_t* p = row + x;
-      const int all = p[-stride - 1] & p[-stride] & p[-stride + 1] & p[-1] & p[1] & p[stride - 1] & p[stride] &
-                      p[stride + 1];
+      const int all =
+          p[-stride - 1] & p[-stride] & p[-stride + 1] & p[-1] & p[1] & p[stride - 1] & p[stride] & p[stride + 1];
       count += static_cast<std::size_t>(p[0] & (all ^ 1));
     }
   }

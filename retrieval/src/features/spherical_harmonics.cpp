@@ -17,9 +17,8 @@ HarmonicTransform::HarmonicTransform(int n, int bandwidth) : n_(n), bandwidth_(b
   for (int l = 0; l < bandwidth; ++l)
     for (int m = 0; m <= l; ++m)
       for (int j = 0; j < n; ++j)
-        weighted_.push_back(
-            std::sph_legendre(static_cast<unsigned>(l), static_cast<unsigned>(m), kPi * (j + 0.5) / n) *
-            weight[static_cast<std::size_t>(j)] * 2 * kPi / n);
+        weighted_.push_back(std::sph_legendre(static_cast<unsigned>(l), static_cast<unsigned>(m), kPi * (j + 0.5) / n) *
+                            weight[static_cast<std::size_t>(j)] * 2 * kPi / n);
   for (int m = 0; m < bandwidth; ++m)
     for (int k = 0; k < n; ++k) {
       cosine_.push_back(std::cos(2 * kPi * m * k / n));

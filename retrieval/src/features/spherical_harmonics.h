@@ -17,8 +17,8 @@ class HarmonicTransform {
 
  private:
   int n_, bandwidth_;
-  std::vector<double> weighted_;      ///< [l (l+1)/2 + m][j]: Legendre function times quadrature weight
-  std::vector<double> cosine_, sine_; ///< [m][k], of m phi_k
+  std::vector<double> weighted_;       ///< [l (l+1)/2 + m][j]: Legendre function times quadrature weight
+  std::vector<double> cosine_, sine_;  ///< [m][k], of m phi_k
 };
 
 }  // namespace rectilin::retrieval

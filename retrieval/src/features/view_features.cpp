@@ -53,7 +53,8 @@ double eccentricity(const Spread& s, Options::Eccentricity kind) {
   return std::sqrt(std::max(0.0, (sum - difference) / (sum + difference)));
 }
 
-/// The farthest covered pixel in each of so many directions from a centre: an outline that parts and holes do not break.
+/// The farthest covered pixel in each of so many directions from a centre: an outline that parts and holes do not
+/// break.
 std::vector<double> polar_outline(std::span<const Pixel> boundary, double x, double y) {
   constexpr std::size_t kDirections = 128;
   std::vector<double> farthest(kDirections);
@@ -107,7 +108,8 @@ ViewNumbers view_numbers(const render::DepthImage& image, const ViewFeatureOptio
   if (options.image == Options::Image::kDepth) {
     picture.resize(silhouette.rows(), silhouette.cols());
     for (int y = top; y <= bottom; ++y)
-      for (int x = left; x <= right; ++x) picture(y - top, x - left) = static_cast<float>(image.at(x, y)) * (1 / 65535.f);
+      for (int x = left; x <= right; ++x)
+        picture(y - top, x - left) = static_cast<float>(image.at(x, y)) * (1 / 65535.f);
   }
   const Picture& shown = options.image == Options::Image::kDepth ? picture : silhouette;
   const Spread outline = spread_of(silhouette);

@@ -72,9 +72,9 @@ ZernikeMoments::ZernikeMoments() {
           const LegendreValues px = legendre(x), py = legendre(y);
           for (int p = 0; p < kTerms; ++p)
             for (int q = 0; q < kTerms; ++q)
-              from_legendre_(row, q * kTerms + p) += value * ((2 * p + 1.0) * (2 * q + 1.0) *
-                                                              px[static_cast<std::size_t>(p)] *
-                                                              py[static_cast<std::size_t>(q)]);
+              from_legendre_(row, q * kTerms + p) +=
+                  value *
+                  ((2 * p + 1.0) * (2 * q + 1.0) * px[static_cast<std::size_t>(p)] * py[static_cast<std::size_t>(q)]);
         }
 }
 

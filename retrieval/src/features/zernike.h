@@ -21,9 +21,9 @@ struct Disk {
 /// m = n, n-2, ... >= 0: 36 of them, in the order A_00, A_11, A_20, A_22, A_31, A_33, ... Their magnitudes do not
 /// change when the picture is turned about the disk's centre or reflected.
 ///
-/// The integral is a sum over pixels. V_nm is a polynomial of degree n in x and y, so all moments follow exactly from the
-/// 66 moments of products of Legendre polynomials of total degree up to 10, which are two products of small matrices
-/// and, other than moments of powers, do not cancel.
+/// The integral is a sum over pixels. V_nm is a polynomial of degree n in x and y, so all moments follow exactly from
+/// the 66 moments of products of Legendre polynomials of total degree up to 10, which are two products of small
+/// matrices and, other than moments of powers, do not cancel.
 class ZernikeMoments {
  public:
   static constexpr int kOrder = 10;

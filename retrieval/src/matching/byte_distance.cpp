@@ -22,6 +22,9 @@ struct RowSum {
   void add(const std::uint8_t* a, const std::uint8_t* b) {
     for (std::size_t i = 0; i < kRow; ++i) sum += static_cast<std::uint32_t>(a[i] < b[i] ? b[i] - a[i] : a[i] - b[i]);
   }
+  void add_block(const std::uint8_t* a, const std::uint8_t* b) {
+    for (std::size_t i = 0; i < 16; ++i) sum += static_cast<std::uint32_t>(a[i] < b[i] ? b[i] - a[i] : a[i] - b[i]);
+  }
   std::uint32_t total() const { return sum; }
 };
 
@@ -31,7 +34,7 @@ struct RowSum {
 using Small = hn::FixedTag<std::uint8_t, 16>;
 using Large = hn::CappedTag<std::uint8_t, 32>;
 template <class D>
-using Sums = hn::Vec<hn::Repartition<std::uint64_t, D>>;
+using Sums = hn::Vec<hn::Repartition<std::uint64_t, D> >;
 
 /// Sums over groups of eight bytes. One of the two differences is cut off at zero, so their union is the absolute one.
 template <class D>
@@ -58,6 +61,9 @@ struct RowSum {
     }
     few = hn::Add(few, differences(Small(), a + 32, b + 32));
   }
+  HWY_INLINE void add_block(const std::uint8_t* a, const std::uint8_t* b) {
+    few = hn::Add(few, differences(Small(), a, b));
+  }
   HWY_INLINE std::uint32_t total() const {
     std::uint64_t sum = hn::GetLane(hn::SumOfLanes(hn::Repartition<std::uint64_t, Small>(), few));
     if constexpr (kWide) sum += hn::GetLane(hn::SumOfLanes(hn::Repartition<std::uint64_t, Large>(), many));
@@ -79,12 +85,13 @@ std::uint32_t least(const std::uint8_t* a, const std::uint8_t* b, std::size_t vi
   return best;
 }
 
-void rows(const std::uint8_t* a, const std::uint8_t* b, std::size_t count, std::uint16_t* out) {
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t j = 0; j < count; ++j) {
+void rows(const std::uint8_t* a, std::size_t count_a, const std::uint8_t* b, std::size_t count_b, std::size_t row,
+          std::uint32_t* out) {
+  for (std::size_t i = 0; i < count_a; ++i)
+    for (std::size_t j = 0; j < count_b; ++j) {
       RowSum sum;
-      sum.add(a + i * kRow, b + j * kRow);
-      out[i * count + j] = static_cast<std::uint16_t>(sum.total());
+      for (std::size_t k = 0; k < row; k += 16) sum.add_block(a + i * row + k, b + j * row + k);
+      out[i * count_b + j] = sum.total();
     }
 }
 
@@ -102,8 +109,9 @@ std::uint32_t least_distance(const std::uint8_t* a, const std::uint8_t* b, std::
   return HWY_DYNAMIC_DISPATCH(least)(a, b, views, permutations.data(), permutations.size() / views);
 }
 
-void row_distances(const std::uint8_t* a, const std::uint8_t* b, std::size_t count, std::uint16_t* out) {
-  HWY_DYNAMIC_DISPATCH(rows)(a, b, count, out);
+void row_distances(const std::uint8_t* a, std::size_t count_a, const std::uint8_t* b, std::size_t count_b,
+                   std::size_t row, std::uint32_t* out) {
+  HWY_DYNAMIC_DISPATCH(rows)(a, count_a, b, count_b, row, out);
 }
 
 }  // namespace rectilin::retrieval

@@ -15,7 +15,9 @@ inline constexpr std::size_t kRow = 48;
 std::uint32_t least_distance(const std::uint8_t* a, const std::uint8_t* b, std::size_t views,
                              std::span<const std::uint16_t> permutations);
 
-/// All distances between `count` rows of a and those of b: out[i * count + j] = |a(i) - b(j)|; count * count values.
-void row_distances(const std::uint8_t* a, const std::uint8_t* b, std::size_t count, std::uint16_t* out);
+/// All distances between rows of a and rows of b, of `row` bytes each (a multiple of 16): out[i * count_b + j] =
+/// |a(i) - b(j)|.
+void row_distances(const std::uint8_t* a, std::size_t count_a, const std::uint8_t* b, std::size_t count_b,
+                   std::size_t row, std::uint32_t* out);
 
 }  // namespace rectilin::retrieval
