@@ -12,13 +12,13 @@
 namespace rectilin::retrieval {
 namespace {
 
-enum class Match { k24, k4, k1 };
+enum class Match { kAll, kTurns, kOne };
 enum class Curve { kLinear, kRoot };
 
 struct GsmdOptions {
   std::string pose = "rectilinear";
   int views = 66, size = 256;
-  Match match = Match::k24;
+  Match match = Match::kAll;
   ViewFeatureOptions features;
   bool unit = true;
   Curve curve = Curve::kLinear;
@@ -36,8 +36,8 @@ struct GsmdOptions {
             },
             [this] { return Json(views); }, "pictures, from the vertices of a geodesic sphere")
         .integer("size", size, 16, 1024, "pixels in a row of a picture")
-        .choice("match", match, {{"24", Match::k24}, {"4", Match::k4}, {"1", Match::k1}},
-                "rotations of one model's frame that are tried: all, those that turn axes around, none");
+        .choice("match", match, {{"all", Match::kAll}, {"turns", Match::kTurns}, {"one", Match::kOne}},
+                "rotations of one model's frame that are tried: all 24, the 4 that keep the axes' order, none but its own");
     features.bind(parameters);
     parameters.flag("unit", unit, "bring each picture's numbers to an L1 norm of 1, as the paper does")
         .choice("curve", curve, {{"linear", Curve::kLinear}, {"root", Curve::kRoot}},
@@ -57,7 +57,7 @@ class Gsmd final : public Descriptor {
       const Eigen::Matrix3d& d = symmetries[i].matrix();
       const bool diagonal = d.diagonal().cwiseAbs().sum() > 2.5;
       const bool identity = d.diagonal().sum() > 2.5;
-      if ((options_.match == Match::k4 && !diagonal) || (options_.match == Match::k1 && !identity)) continue;
+      if ((options_.match == Match::kTurns && !diagonal) || (options_.match == Match::kOne && !identity)) continue;
       for (const std::uint32_t k : sphere_.permutations()[i]) permutations_.push_back(static_cast<std::uint16_t>(k));
     }
   }

@@ -21,6 +21,14 @@ Experiment fig12();
 Experiment fig13();
 Experiment fig14();
 Experiment fig15();
+Experiment table1();
+Experiment fig21();
+Experiment table2();
+Experiment table3();
+Experiment table4();
+Experiment table5();
+Experiment table6();
+Experiment fig22();
 Experiment gap();
 Experiment shortfall();
 

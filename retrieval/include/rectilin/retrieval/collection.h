@@ -11,7 +11,7 @@ namespace rectilin::retrieval {
 
 struct Collection {
   Classification classes;            ///< of the models that have a file
-  std::vector<std::string> files;    ///< of each of those models
+  std::vector<std::string> files;    ///< of each of those models, for load_mesh()
   std::vector<std::string> missing;  ///< models without a file, in the classification's order
 };
 
