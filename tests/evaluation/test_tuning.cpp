@@ -1,11 +1,10 @@
 // Weights: what they are scored by, whether searches find good ones, and the files they go to.
-#include "rectilin/evaluation/weights.h"
-
 #include <cmath>
 #include <fstream>
 
 #include "rectilin/base/random.h"
 #include "rectilin/evaluation/evaluation.h"
+#include "rectilin/evaluation/weights.h"
 #include "rectilin/retrieval/scores.h"
 #include "support/catch.h"
 #include "support/scratch_folder.h"
@@ -34,8 +33,7 @@ DistanceMatrix noisy(const Classification& c, double signal, std::uint64_t seed)
   DistanceMatrix m(c.models.size());
   for (std::size_t i = 0; i < m.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      m.at(i, j) = m.at(j, i) =
-          static_cast<float>(random.uniform() + (c.class_of[i] == c.class_of[j] ? 0 : signal));
+      m.at(i, j) = m.at(j, i) = static_cast<float>(random.uniform() + (c.class_of[i] == c.class_of[j] ? 0 : signal));
   return m;
 }
 

@@ -1,8 +1,7 @@
 // Outlines of small pictures drawn by hand.
-#include "features/contour.h"
-
 #include <set>
 
+#include "features/contour.h"
 #include "rectilin/base/random.h"
 #include "support/catch.h"
 

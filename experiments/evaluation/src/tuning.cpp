@@ -47,13 +47,17 @@ void add_terms(std::vector<Contestant>& contestants, const TuningPlan& plan) {
 TuningOutcome tune_composite(const TuningPlan& plan, const Evaluation& evaluation, const std::filesystem::path& out,
                              const EvaluationSettings& settings) {
   const std::vector<std::string> specs = terms_of(plan);
-  std::vector<const retrieval::DistanceMatrix*> matrices;
+  std::vector<retrieval::DistanceMatrix> scaled;  // as a composite scales its terms
   for (const std::string& spec : specs)
     for (const Result& result : evaluation.results)
       if (!result.contestant.is_matrix && result.contestant.text == spec) {
-        matrices.push_back(&result.matrix);
+        scaled.push_back(result.matrix);
+        const double typical = retrieval::make_descriptor(spec)->typical_distance();
+        for (float& distance : scaled.back().values()) distance = static_cast<float>(distance / typical);
         break;
       }
+  std::vector<const retrieval::DistanceMatrix*> matrices;
+  for (const retrieval::DistanceMatrix& matrix : scaled) matrices.push_back(&matrix);
   const std::vector<bool> all(evaluation.classes.models.size(), true);
   const WeightedScore score(matrices, evaluation.classes, all, all);
   TuningOutcome outcome;

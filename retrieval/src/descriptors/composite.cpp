@@ -34,14 +34,18 @@ class Composite final : public Descriptor {
     std::size_t begin = 0;
     for (const Part& part : parts_) {
       const std::size_t size = part.descriptor->bytes();
-      sum += part.weight / total_ * part.descriptor->distance(a.subspan(begin, size), b.subspan(begin, size));
+      sum += part.weight / total_ / part.descriptor->typical_distance() *
+             part.descriptor->distance(a.subspan(begin, size), b.subspan(begin, size));
       begin += size;
     }
     return sum;
   }
 
+  double typical_distance() const override { return 1; }
   std::size_t bytes() const override { return bytes_; }
-  std::string distance_in_words() const override { return "weighted mean of the parts' distances"; }
+  std::string distance_in_words() const override {
+    return "weighted mean of the parts' distances, each over its typical one";
+  }
   std::string invariant_to() const override { return "what all parts are invariant to"; }
 
  private:

@@ -36,8 +36,9 @@ struct GsmdOptions {
             },
             [this] { return Json(views); }, "pictures, from the vertices of a geodesic sphere")
         .integer("size", size, 16, 1024, "pixels in a row of a picture")
-        .choice("match", match, {{"all", Match::kAll}, {"turns", Match::kTurns}, {"one", Match::kOne}},
-                "rotations of one model's frame that are tried: all 24, the 4 that keep the axes' order, none but its own");
+        .choice(
+            "match", match, {{"all", Match::kAll}, {"turns", Match::kTurns}, {"one", Match::kOne}},
+            "rotations of one model's frame that are tried: all 24, the 4 that keep the axes' order, none but its own");
     features.bind(parameters);
     parameters.flag("unit", unit, "bring each picture's numbers to an L1 norm of 1, as the paper does")
         .choice("curve", curve, {{"linear", Curve::kLinear}, {"root", Curve::kRoot}},
@@ -81,6 +82,7 @@ class Gsmd final : public Descriptor {
            (255.0 * static_cast<double>(kViewNumbers * sphere_.size()));
   }
 
+  double typical_distance() const override { return 0.08; }
   std::size_t bytes() const override { return sphere_.size() * kRow; }
   std::string distance_in_words() const override {
     return "mean difference of a number, least over the rotations tried (eq. 33)";

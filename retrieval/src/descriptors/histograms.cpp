@@ -43,8 +43,9 @@ void for_each_pair(const SurfaceSampler& surface, int count, const Use& use) {
 
 class Histogram : public Descriptor {
  public:
-  explicit Histogram(std::size_t bins) : bins_(bins) {}
+  Histogram(std::size_t bins, double typical) : bins_(bins), typical_(typical) {}
   double distance(SignatureView a, SignatureView b) const override { return l1(a, b, 0, 0, bins_) / 2; }
+  double typical_distance() const override { return typical_; }
   std::size_t bytes() const override { return 4 * bins_; }
   std::string distance_in_words() const override { return "half the L1 distance of histograms of sum 1"; }
   std::string invariant_to() const override { return "rotation, scale, position"; }
@@ -57,6 +58,7 @@ class Histogram : public Descriptor {
 
  private:
   std::size_t bins_;
+  double typical_;
 };
 
 /// What d1 and d2 leave to choose.
@@ -75,7 +77,9 @@ class DistanceHistogram final : public Histogram {
  public:
   enum class Kind { kFromCentre, kPairs };
   DistanceHistogram(Kind kind, DistanceOptions options)
-      : Histogram(static_cast<std::size_t>(options.bins)), kind_(kind), options_(options) {}
+      : Histogram(static_cast<std::size_t>(options.bins), kind == Kind::kPairs ? 0.16 : 0.3),
+        kind_(kind),
+        options_(options) {}
 
   Signature describe(const Model& model) const override {
     const Mesh mesh = transformed(model.mesh(), surface_frame(model.mesh()));
@@ -119,7 +123,7 @@ struct AngleDistanceOptions {
 class AngleDistance final : public Histogram {
  public:
   explicit AngleDistance(AngleDistanceOptions options)
-      : Histogram(static_cast<std::size_t>(options.distances) * static_cast<std::size_t>(options.angles)),
+      : Histogram(static_cast<std::size_t>(options.distances) * static_cast<std::size_t>(options.angles), 0.4),
         options_(options) {}
 
   Signature describe(const Model& model) const override {
@@ -157,7 +161,7 @@ struct SurfletOptions {
 class SurfletPairs final : public Histogram {
  public:
   explicit SurfletPairs(SurfletOptions options)
-      : Histogram(static_cast<std::size_t>(options.bins * options.bins * options.bins * options.bins)),
+      : Histogram(static_cast<std::size_t>(options.bins * options.bins * options.bins * options.bins), 0.55),
         options_(options) {}
 
   Signature describe(const Model& model) const override {

@@ -18,6 +18,7 @@ class RectilinearityDescriptor final : public Descriptor {
     return signature_of(value);
   }
   double distance(SignatureView a, SignatureView b) const override { return l1(a, b, 0, 0, 1); }
+  double typical_distance() const override { return 0.34; }
   std::size_t bytes() const override { return 4; }
   std::string distance_in_words() const override { return "difference of R"; }
   std::string invariant_to() const override { return "rotation, scale, position, reflection"; }

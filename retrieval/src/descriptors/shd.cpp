@@ -56,6 +56,7 @@ class Shd final : public Descriptor {
     return least / 6;
   }
 
+  double typical_distance() const override { return 0.39; }
   std::size_t bytes() const override { return 12 * transform_.size(); }
   std::string distance_in_words() const override { return "mean of three L1 distances over 2, least of six orders"; }
   std::string invariant_to() const override { return "as the pose: rotation, scale, position; reflection"; }

@@ -32,7 +32,8 @@ retrieval::Collection built_in(int models, std::uint64_t seed) {
       const std::string turn = "rotate=random&seed=" + std::to_string(random.below(1'000'000));
       std::string own;
       if (kind == "torus") own = "minor=" + number(random.uniform(0.3, 0.5));
-      else if (kind == "ellipsoid") own = "a=" + number(random.uniform(1.5, 2.5)) + "&b=1&c=" + number(random.uniform(0.6, 1));
+      else if (kind == "ellipsoid")
+        own = "a=" + number(random.uniform(1.5, 2.5)) + "&b=1&c=" + number(random.uniform(0.6, 1));
       else if (kind == "cylinder") own = "sides=" + std::to_string(20 + random.below(40));
       else own = "x=" + number(random.uniform(1.2, 2)) + "&y=" + number(random.uniform(0.8, 1.2));
       std::string spec = "shape:" + kind + "?" + own + "&" + turn;
@@ -116,7 +117,8 @@ ScoredTable score(const std::vector<Row>& rows, const TableSettings& settings, c
   std::set<std::string> specs;
   for (const Row& row : rows) {
     if (row.descriptor.empty()) continue;
-    for (const auto& term : retrieval::parse_composite(with_size(row.descriptor, settings.size))) specs.insert(term.spec);
+    for (const auto& term : retrieval::parse_composite(with_size(row.descriptor, settings.size)))
+      specs.insert(term.spec);
   }
   const Cache cache(settings.cache);
   retrieval::Features features = retrieval::compute_features(collection, {specs.begin(), specs.end()}, cache.path(),
@@ -152,8 +154,8 @@ ScoredTable score(const std::vector<Row>& rows, const TableSettings& settings, c
     const Clock::time_point begin = Clock::now();
     const std::size_t sample = std::min<std::size_t>(signatures.size() - 1, 100);
     for (std::size_t i = 0; i < sample; ++i) descriptor->distance(signatures[i], signatures[i + 1]);
-    scored.compare_seconds =
-        std::chrono::duration<double>(Clock::now() - begin).count() / static_cast<double>(std::max<std::size_t>(1, sample));
+    scored.compare_seconds = std::chrono::duration<double>(Clock::now() - begin).count() /
+                             static_cast<double>(std::max<std::size_t>(1, sample));
     scored.scores = retrieval::evaluate(
         retrieval::symmetric_matrix(
             signatures.size(),
@@ -208,7 +210,8 @@ ExperimentResult present(const std::string& name, const std::string& title, cons
   panel.curves.push_back({.x = 1, .y = 12, .label = "the paper's, test half", .style = {1, 0}, .points = true});
   std::string caption;
   for (int i = 0; i < index; ++i)
-    caption += (i > 0 ? ", " : "Rows: ") + std::to_string(i + 1) + " " + table.rows[static_cast<std::size_t>(i)].row.label;
+    caption +=
+        (i > 0 ? ", " : "Rows: ") + std::to_string(i + 1) + " " + table.rows[static_cast<std::size_t>(i)].row.label;
   result.plots.push_back({name, caption + ".", Plot(title, std::move(data), {panel})});
   return result;
 }

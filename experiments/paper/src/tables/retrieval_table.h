@@ -36,8 +36,8 @@ struct TableSettings {
 
 struct ScoredRow {
   Row row;
-  retrieval::Scores scores;        ///< empty for cited rows
-  retrieval::Interval dcg;         ///< 95 %
+  retrieval::Scores scores;  ///< empty for cited rows
+  retrieval::Interval dcg;   ///< 95 %
   std::size_t bytes = 0;
   double describe_seconds = 0, compare_seconds = 0;
 };

@@ -7,19 +7,12 @@
 #include "figures/experiments.h"
 #include "rectilin/base/rotation.h"
 #include "rectilin/render/view_sphere.h"
+#include "tables/table_1.h"
 
 namespace rectilin::figures {
 namespace {
 
-using Permutation = std::array<int, 6>;
-
-/// As printed in the paper, p_0 to p_23.
-constexpr std::array<Permutation, 24> kPrinted{
-    {{0, 1, 2, 3, 4, 5}, {0, 1, 4, 5, 3, 2}, {0, 1, 3, 2, 5, 4}, {0, 1, 5, 4, 2, 3}, {1, 0, 3, 2, 4, 5},
-     {1, 0, 4, 5, 2, 3}, {1, 0, 2, 3, 5, 4}, {1, 0, 5, 4, 3, 2}, {4, 5, 2, 3, 1, 0}, {4, 5, 1, 0, 3, 2},
-     {4, 5, 3, 2, 0, 1}, {4, 5, 0, 1, 2, 3}, {5, 4, 2, 3, 0, 1}, {5, 4, 0, 1, 3, 2}, {5, 4, 3, 2, 1, 0},
-     {5, 4, 1, 0, 2, 3}, {2, 3, 1, 0, 4, 5}, {2, 3, 4, 5, 0, 1}, {2, 3, 0, 1, 5, 4}, {2, 3, 5, 4, 1, 0},
-     {3, 2, 0, 1, 4, 5}, {3, 2, 4, 5, 1, 0}, {3, 2, 1, 0, 5, 4}, {3, 2, 5, 4, 0, 1}}};
+using tables::Permutation;
 
 std::set<Permutation> of_rotations() {
   std::set<Permutation> all;
@@ -35,10 +28,10 @@ std::set<Permutation> of_rotations() {
 struct Table1 {
   void bind(Parameters&) {}
   ExperimentResult run(const ExperimentContext&) const {
-    const std::set<Permutation> ours = of_rotations(), printed(kPrinted.begin(), kPrinted.end());
+    const std::set<Permutation> ours = of_rotations(), printed(tables::kTable1.begin(), tables::kTable1.end());
     ExperimentResult result;
     int found = 0;
-    for (const Permutation& p : kPrinted) {
+    for (const Permutation& p : tables::kTable1) {
       found += ours.contains(p);
       result.data.push_back({{"permutation", p}, {"is_a_rotation", ours.contains(p)}});
     }
@@ -91,15 +84,17 @@ struct Figure21 {
     }
     svg << "</svg>\n";
     result.says += " (paper: 6, 18, 66, 258)";
-    result.sheets.push_back({"fig21", "The octahedron and the spheres made of it by halving edges.", std::move(data),
-                             svg.str(), width});
+    result.sheets.push_back(
+        {"fig21", "The octahedron and the spheres made of it by halving edges.", std::move(data), svg.str(), width});
     return result;
   }
 };
 
 }  // namespace
 
-Experiment table1() { return make_experiment<Table1>("table1", "Table 1: the 24 ways to match two models' views", "", ""); }
+Experiment table1() {
+  return make_experiment<Table1>("table1", "Table 1: the 24 ways to match two models' views", "", "");
+}
 Experiment fig21() {
   return make_experiment<Figure21>("fig21", "Geodesic spheres made from an octahedron", "", "levels=2");
 }

@@ -85,7 +85,8 @@ ExperimentResult precision_recall(const tables::ScoredTable& table) {
     panel.curves.push_back({.x = 1, .y = half + i + 2, .label = "with R", .style = {1, 0}});
     panels.push_back(panel);
     better += with_r.scores.micro.dcg > alone.scores.micro.dcg;
-    result.data.push_back({{"row", alone.row.label}, {"dcg", alone.scores.micro.dcg}, {"dcg_with_r", with_r.scores.micro.dcg}});
+    result.data.push_back(
+        {{"row", alone.row.label}, {"dcg", alone.scores.micro.dcg}, {"dcg_with_r", with_r.scores.micro.dcg}});
   }
   result.says = "on " + table.collection + ": R improves " + std::to_string(better) + " of " + std::to_string(half) +
                 " descriptors in DCG (paper: all)";

@@ -29,6 +29,10 @@ class Descriptor {
   /// From 0 (equal signatures) to 1 (as different as can be), symmetric. Both are of bytes() bytes.
   virtual double distance(SignatureView a, SignatureView b) const = 0;
 
+  /// The distance of two models that have nothing in common, about: the mean over the training half of the Princeton
+  /// Shape Benchmark. A fixed number, by which weighted sums bring distances to one scale.
+  virtual double typical_distance() const = 0;
+
   virtual std::size_t bytes() const = 0;
 
   /// What the distance is, and what it does not depend on, each in one line for tables.
@@ -49,11 +53,13 @@ struct Term {
 };
 
 /// Reads `gsmd+0.3*shd+0.1*r`: terms joined by '+', each a descriptor with a weight and '*' before it (1 if left out).
-/// Because every distance goes from 0 to 1, weights are comparable, and the sum needs no knowledge of the collection.
-/// Throws ParameterError for weights that are not positive numbers and for descriptors that cannot be made.
+/// Every distance is divided by its typical_distance() first, so weights are comparable, and a sum needs no knowledge
+/// of the collection. Throws ParameterError for weights that are not positive numbers and for descriptors that cannot
+/// be made.
 std::vector<Term> parse_composite(const std::string& text);
 
-/// The descriptor of such a text: signatures one after the other; the distance is the weighted mean of the terms'.
+/// The descriptor of such a text: signatures one after the other; the distance is the weighted mean of the terms'
+/// scaled ones, which is not bounded by 1.
 DescriptorPointer make_descriptor(const std::string& text);
 
 }  // namespace rectilin::retrieval
