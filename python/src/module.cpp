@@ -15,4 +15,5 @@ PYBIND11_MODULE(_rectilin, m) {
   bind_measure(m);
   bind_optim(m);
   bind_laboratory(m);
+  bind_suite(m);
 }
