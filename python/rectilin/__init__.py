@@ -28,6 +28,7 @@ Compare, your own optimizers among others
 
 Meshes        load, save, shape, shapes, sources, Mesh
 Measuring     measure, measure_normals, read_normals, verify, rectilinearity, Rectilinearity, Verdict
+Looking       render, shaded, silhouette_area, views
 Optimizing    Problem, optimize, optimizers, domain, Run, Evaluator, Domain
 Comparing     compare, Comparison; suites, suite, export, read_traces
 Exceptions    MeshError and ParameterError, both ValueErrors of one line; Exhausted, which ends an optimizer
@@ -61,13 +62,17 @@ from ._rectilin import (
     read_normals,
     read_traces,
     rectilinearity,
+    render,
     save,
+    shaded,
     shape,
     shapes,
+    silhouette_area,
     sources,
     suite,
     suites,
     verify,
+    views,
 )
 
 __all__ = [name for name in dir() if not name.startswith("_")] + ["__version__"]

@@ -195,3 +195,28 @@ def export(problem: Union[Problem, MeshLike], file: Union[str, os.PathLike[str]]
 def read_traces(
     folder: Union[str, os.PathLike[str]], file: Union[str, os.PathLike[str]], problems: Optional[Dict[str, Any]] = None
 ) -> int: ...
+def render(
+    V: Union[ArrayLike, MeshLike],
+    F: Optional[ArrayLike] = None,
+    *,
+    direction: Optional[ArrayLike] = None,
+    rotation: Optional[ArrayLike] = None,
+    size: int = 256,
+) -> NDArray[np.uint16]: ...
+def shaded(
+    V: Union[ArrayLike, MeshLike],
+    F: Optional[ArrayLike] = None,
+    *,
+    direction: Optional[ArrayLike] = None,
+    rotation: Optional[ArrayLike] = None,
+    size: int = 256,
+) -> NDArray[np.uint8]: ...
+def silhouette_area(
+    V: Union[ArrayLike, MeshLike],
+    F: Optional[ArrayLike] = None,
+    *,
+    directions: ArrayLike = (0, 0, 1),
+    tolerance: float = 1e-6,
+    threads: Optional[int] = None,
+) -> Tuple[Any, Any]: ...
+def views(count: int) -> Floats: ...
