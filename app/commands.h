@@ -12,6 +12,7 @@ void add_compare_command(CLI::App& app, int& status, int argc, const char* const
 void add_evaluate_command(CLI::App& app, int& status, int argc, const char* const* argv);
 void add_experiment_command(CLI::App& app, int& status, int argc, const char* const* argv);
 void add_validate_command(CLI::App& app, int& status);
+void add_suite_command(CLI::App& app, int& status);
 void add_verify_command(CLI::App& app, int& status);
 void add_render_command(CLI::App& app, int& status);
 void add_silhouette_command(CLI::App& app, int& status);

@@ -60,15 +60,6 @@ Problems problems_of(py::handle given) {
   return problems;
 }
 
-ComparedMesh compared(const Problem& problem) {
-  ComparedMesh mesh{problem.objective->vectors(), problem.faces, ""};
-  Fnv1a hash;
-  for (const AlignedDoubles* component : {&mesh.vectors.x, &mesh.vectors.y, &mesh.vectors.z})
-    for (const double x : *component) hash.add(x);
-  mesh.digest = "vectors:" + std::to_string(hash.value());
-  return mesh;
-}
-
 /// The competitors, with a registry that knows those written in Python.
 class Competitors {
  public:
@@ -265,6 +256,15 @@ py::list runs_of(const Comparison& c) {
 }
 
 }  // namespace
+
+ComparedMesh compared(const Problem& problem) {
+  ComparedMesh mesh{problem.objective->vectors(), problem.faces, ""};
+  Fnv1a hash;
+  for (const AlignedDoubles* component : {&mesh.vectors.x, &mesh.vectors.y, &mesh.vectors.z})
+    for (const double x : *component) hash.add(x);
+  mesh.digest = "vectors:" + std::to_string(hash.value());
+  return mesh;
+}
 
 void bind_laboratory(py::module_& m) {
   py::class_<Comparison>(m, "Comparison", "A finished comparison: what compare() gives. Its numbers are files in `folder`.")

@@ -136,9 +136,17 @@ Results load_results(const fs::path& folder) {
     results.meshes.push_back(std::move(mesh));
   }
   std::set<std::tuple<std::size_t, std::size_t, int>> seen;
-  for_each_line(runs, recover_journal(runs), [&](const Json& line) {
+  const auto take = [&](const Json& line) {
     RunResult run = run_from_json(line, results);
     if (seen.emplace(run.mesh, run.entry, run.run).second) results.runs.push_back(std::move(run));
+  };
+  for_each_line(runs, recover_journal(runs), take);
+  const fs::path foreign = folder / kForeignFile;
+  for_each_line(foreign, recover_journal(foreign), [&](const Json& line) {
+    const std::string label = line.at("entry").get<std::string>();
+    if (std::ranges::find(results.plan.entries, label, &Entry::label) == results.plan.entries.end())
+      results.plan.entries.push_back({label, "foreign:" + label, "-"});
+    take(line);
   });
   std::ranges::sort(results.runs, {}, [](const RunResult& r) { return std::tuple(r.mesh, r.entry, r.run); });
   std::vector<double> best;  // a run can beat the rotation that came with the certificate
