@@ -32,7 +32,7 @@ std::optional<Keyword> parse_keyword(std::string_view word) {
   return keyword;
 }
 
-struct Header {
+struct OffHeader {
   bool homogeneous;
   std::int64_t vertices;
   std::int64_t faces;
@@ -47,7 +47,7 @@ std::int64_t header_integer(LineReader& text, std::string_view what) {
   return value;
 }
 
-Header read_header(LineReader& text) {
+OffHeader read_off_header(LineReader& text) {
   text.next_line();
   const std::string_view word = text.word();
   const std::optional<Keyword> keyword = parse_keyword(word);
@@ -61,7 +61,7 @@ Header read_header(LineReader& text) {
     text.fail("only vertices of three dimensions are supported");
   }
 
-  Header header{keyword->homogeneous, 0, 0};
+  OffHeader header{keyword->homogeneous, 0, 0};
   header.vertices = header_integer(text, "the number of vertices");
   header.faces = header_integer(text, "the number of faces");
   constexpr std::size_t kShortestVertex = 6, kShortestFace = 2;  // "0 0 0\n" and "0\n"
@@ -126,7 +126,7 @@ bool looks_like_off(std::string_view bytes) {
 
 PolygonSoup read_off(std::string_view bytes, const std::string& name) {
   LineReader text(bytes, name);
-  const Header header = read_header(text);
+  const OffHeader header = read_off_header(text);
   PolygonSoup soup;
   soup.vertices.reserve(static_cast<std::size_t>(header.vertices));
   for (std::int64_t i = 0; i < header.vertices; ++i) {
