@@ -29,7 +29,7 @@ constexpr const char* kAll = "all";
 void list() {
   std::cout << "rectilin experiment NAME runs one of these, rectilin experiment all runs all.\n\n";
   for (const Experiment& experiment : experiments()) {
-    std::cout << experiment.name << "\n    " << experiment.title;
+    std::cout << experiment.name << "\n    " << experiment.help;
     if (!experiment.takes.empty()) std::cout << "; takes " << experiment.takes;
     std::cout << '\n' << settings_table(experiment.parameters);
   }
@@ -114,11 +114,9 @@ void add_experiment_command(CLI::App& app, int& status, int argc, const char* co
   command->add_flag("-q,--quick", options->quick, "Small: about a second for each experiment, and a gap of 1e-3");
   add_threads_option(*command, options->threads, "the answer is the same for any");
   command->footer(
-      "Every R is certified. OUT/NAME.json holds all numbers; each picture has a CSV file beside "
-      "it,\n"
-      "and a gnuplot file if it is a curve. OUT/index.html shows all experiments in the folder. "
-      "One\n"
-      "line says how the outcome compares with the paper.\n"
+      "Every R is certified. OUT/NAME.json holds all numbers; each picture has a CSV file beside it, and a gnuplot file\n"
+      "if it is a curve. OUT/index.html shows all experiments in the folder. One line says how the outcome compares\n"
+      "with the paper.\n"
       "Examples: rectilin experiment\n"
       "          rectilin experiment all\n"
       "          rectilin experiment 'fig15?steps=1000' --out pyramids");

@@ -55,8 +55,8 @@ void add_list_commands(CLI::App& app) {
       [] { return all_optimizers().entries(); },
       [](const Registry::Entry& entry) { return to_json(all_optimizers().make(entry.name)->capabilities()); });
   add_list(
-      app, "shapes", "List the built-in shapes and their parameters", [] { return list_shapes(); },
-      [](const ShapeInfo&) { return Json::object(); });
+      app, "shapes", "List the built-in shapes and their parameters", [] { return shape_table().entries(); },
+      [](const Factory<Mesh>::Entry&) { return Json::object(); });
 }
 
 }  // namespace rectilin::app

@@ -1,17 +1,14 @@
 // rectilin measure: from files and shapes to R(M).
-#include <tbb/global_control.h>
-#include <tbb/parallel_pipeline.h>
-#include <tbb/task_arena.h>
-
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 
 #include "commands.h"
-#include "measure_row.h"
+#include "measure_printer.h"
 #include "options.h"
 #include "rectilin/base/whole_file.h"
+#include "rectilin/measure/verify.h"
 #include "rectilin/mesh/source.h"
 #include "rectilin/optim/adapters/all_optimizers.h"
 #include "terminal.h"
@@ -19,9 +16,9 @@
 namespace rectilin::app {
 namespace {
 
-struct MeasureOptions {
+struct MeasureCommand {
   std::vector<std::string> sources;
-  std::string optimizer = Certify::kName;
+  std::string optimizer = "certify";
   std::optional<double> gap;
   bool optima = false;
   std::string proof;
@@ -41,15 +38,18 @@ std::vector<std::string> lines_of(std::istream& in) {
   return lines;
 }
 
-/// The optimizer asked for, with the options that only Certify has.
-std::unique_ptr<Optimizer> make_optimizer(const MeasureOptions& options) {
-  if (!options.gap && !options.optima && options.proof.empty()) return all_optimizers().make(options.optimizer);
-  Spec spec = Spec::parse(options.optimizer);
-  if (spec.name != Certify::kName)
-    throw ParameterError("--gap, --optima and --proof need the optimizer " + std::string(Certify::kName));
-  if (options.gap) spec.settings["gap"] = *options.gap;
-  if (options.optima) spec.settings["optima"] = true;
-  return all_optimizers().make(spec.name, spec.settings);
+/// What to do with each mesh.
+rectilin::MeasureOptions options_of(const MeasureCommand& command) {
+  rectilin::MeasureOptions options = measure_options(command.optimizer, all_optimizers());
+  if ((command.gap || command.optima || !command.proof.empty()) && options.optimizer)
+    throw ParameterError("--gap, --optima and --proof need the optimizer certify");
+  if (command.gap) options.certify.gap = *command.gap;
+  if (command.optima) options.certify.optima = true;
+  options.certificate = !command.proof.empty();
+  options.run.budget = command.budget;
+  options.run.seed = command.seed;
+  options.run.domain = &domain_by_name(command.domain);
+  return options;
 }
 
 /// A proof must not take the place of a mesh.
@@ -60,59 +60,63 @@ void check_proof(const std::string& proof, const std::vector<std::string>& sourc
     throw ParameterError("--proof " + proof + ": the proof would be written over a mesh, or look like one");
 }
 
-int measure(const MeasureOptions& options) {
-  const auto optimizer = make_optimizer(options);
-  RunSettings settings;
-  settings.budget = options.budget;
-  settings.seed = options.seed;
-  settings.domain = &domain_by_name(options.domain);
-
+/// The sources named on the command line and, for each '-', on standard input; folders opened.
+std::vector<std::string> all_sources(const std::vector<std::string>& named) {
   std::vector<std::string> given;
-  for (const std::string& source : options.sources) {
+  for (const std::string& source : named) {
     if (source != "-") given.push_back(source);
     else
       for (const std::string& line : lines_of(std::cin)) given.push_back(line);
   }
-  const std::vector<std::string> sources = expand_folders(given);
+  std::vector<std::string> sources = expand_folders(given);
   if (sources.empty()) throw MeshError("the list of files is empty");
-  if (!options.proof.empty()) check_proof(options.proof, sources);
-  settings.stop = stop_on_interrupt();
+  return sources;
+}
 
-  const auto limit = limit_threads(options.threads);
-  const std::size_t at_once = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+/// How far a search is that takes its time.
+std::string state_of(const Evaluator& run) {
+  std::string text = fixed(run.seconds(), 0) + " s, " + std::to_string(run.costs().evaluations()) + " evaluations";
+  if (!run.has_incumbent()) return text;
+  const double found = run.objective().merit(run.incumbent().value);
+  text += ", R >= " + fixed(found, 6);
+  if (run.lower_bound()) text += ", gap " + general(run.objective().merit(*run.lower_bound()) - found, 2);
+  return text;
+}
 
-  // Several files at once, rows in order. Isolated, because a thread that waits for the loops inside one
-  // file must not pick up another file and charge its time to the first.
-  Printer printer(sources, options.json);
-  std::size_t next = 0;
-  const auto take = [&](tbb::flow_control& flow) {
-    if (next < sources.size() && !settings.stop.stop_requested()) return next++;
-    flow.stop();
-    return next;
-  };
+int run(const MeasureCommand& command) {
+  rectilin::MeasureOptions options = options_of(command);
+  const std::vector<std::string> sources = all_sources(command.sources);
+  if (!command.proof.empty()) check_proof(command.proof, sources);
+  options.run.stop = stop_on_interrupt();
+  const auto limit = limit_threads(command.threads);
+
+  MeasurePrinter printer(sources, command.json);
+  Progress progress(sources.size());
   const auto measure_one = [&](std::size_t i) {
-    auto row = std::make_shared<Row>();
-    tbb::this_task_arena::isolate(
-        [&] { *row = measure_source(sources[i], *optimizer, settings, !options.proof.empty()); });
-    return row;
+    rectilin::MeasureOptions own = options;
+    own.run.on_progress = [&, i](const Evaluator& run) { progress.note(sources[i] + ": " + state_of(run)); };
+    const LoadedMesh loaded = load_mesh(sources[i]);
+    MeasuredMesh measured{measure(loaded.mesh, own), loaded.report, {}};
+    if (const auto& proof = measured.result.certificate)
+      measured.proof = to_text(to_json(*proof, mesh_digest(loaded.mesh))) + '\n';
+    return measured;
   };
-  const auto print = [&](const std::shared_ptr<Row>& row) {
-    printer.print(*row);
-    if (!row->proof.empty()) write_whole_file(options.proof, row->proof);
+  const auto print = [&](std::size_t i, Outcome<MeasuredMesh>&& row) {
+    progress.clear();
+    printer.print(sources[i], row);
+    if (row.value && !row.value->proof.empty()) write_whole_file(command.proof, row.value->proof);
   };
-  using RowPointer = std::shared_ptr<Row>;
-  tbb::parallel_pipeline(at_once,
-                         tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, take) &
-                             tbb::make_filter<std::size_t, RowPointer>(tbb::filter_mode::parallel, measure_one) &
-                             tbb::make_filter<RowPointer, void>(tbb::filter_mode::serial_in_order, print));
-  if (next < sources.size()) complain("stopped: " + std::to_string(sources.size() - next) + " meshes are not measured");
-  return printer.failed() > 0 || settings.stop.stop_requested() ? 1 : 0;
+  const std::size_t done = for_each_in_order<MeasuredMesh>(sources, measure_one, print,
+                                                           {.stop = options.run.stop, .on_progress = progress.shown()});
+  progress.clear();
+  if (done < sources.size()) complain("stopped: " + std::to_string(sources.size() - done) + " meshes are not measured");
+  return printer.failed() > 0 || options.run.stop.stop_requested() ? 1 : 0;
 }
 
 }  // namespace
 
 void add_measure_command(CLI::App& app, int& status) {
-  auto options = std::make_shared<MeasureOptions>();
+  auto options = std::make_shared<MeasureCommand>();
   CLI::App* command = app.add_subcommand("measure", "Measure R(M) and the pose of meshes");
   command
       ->add_option("source", options->sources,
@@ -147,7 +151,7 @@ void add_measure_command(CLI::App& app, int& status) {
       "Examples: rectilin measure chair.off\n"
       "          rectilin measure --json meshes/ > results.jsonl\n"
       "          rectilin measure --optimizer grid --domain zone 'shape:cylinder?sides=64'");
-  command->callback([options, &status] { status = measure(*options); });
+  command->callback([options, &status] { status = run(*options); });
 }
 
 }  // namespace rectilin::app

@@ -30,12 +30,24 @@ Progress::Progress(std::size_t total) : total_(total), terminal_(isatty(STDERR_F
 Progress::~Progress() { clear(); }
 
 void Progress::show(std::size_t done, const std::string& text) {
+  const std::lock_guard lock(mutex_);
+  done_ = done;
+  draw(text);
+}
+
+void Progress::note(const std::string& text) {
+  const std::lock_guard lock(mutex_);
+  draw(text);
+}
+
+void Progress::draw(const std::string& text) {
   if (!terminal_) return;
-  std::cerr << "\r\033[K[" << done << '/' << total_ << "] " << text.substr(0, 60) << std::flush;
+  std::cerr << "\r\033[K[" << done_ << '/' << total_ << "] " << text.substr(0, 100) << std::flush;
   shown_ = true;
 }
 
 void Progress::clear() {
+  const std::lock_guard lock(mutex_);
   if (shown_) std::cerr << "\r\033[K" << std::flush;
   shown_ = false;
 }

@@ -2,16 +2,18 @@
 #pragma once
 
 #include <cstddef>
+#include <mutex>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include "rectilin/base/batch.h"
 #include "rectilin/base/parameters.h"
 
 namespace rectilin::app {
 
 /// A line that says how far things are, rewritten in place on standard error. Says nothing if standard error
-/// is not a terminal.
+/// is not a terminal. Thread safe.
 class Progress {
  public:
   explicit Progress(std::size_t total);
@@ -21,11 +23,20 @@ class Progress {
 
   /// Shows "[done/total] text".
   void show(std::size_t done, const std::string& text);
+  /// The same with what was last said to be done: how one item is getting on.
+  void note(const std::string& text);
+  /// Calls show() for a loop over many items.
+  OnProgress shown() {
+    return [this](std::size_t done, std::size_t, const std::string& text) { show(done, text); };
+  }
   /// Removes the line, so that something else can be printed.
   void clear();
 
  private:
-  std::size_t total_;
+  void draw(const std::string& text);
+
+  std::mutex mutex_;
+  std::size_t total_, done_ = 0;
   bool terminal_;
   bool shown_ = false;
 };

@@ -9,7 +9,7 @@ for name in $names; do
   grep -qx "$name" out || fail "$name is listed"
 done
 expect 0 'fig15\?steps' "$rectilin" experiment --help
-expect 2 "no experiment 'fig99'; there are fig1" "$rectilin" experiment fig99
+expect 2 "no experiment 'fig99'; did you mean 'fig9'" "$rectilin" experiment fig99
 expect 2 "fig15.*stepz" "$rectilin" experiment 'fig15?stepz=3'
 expect 2 'takes no others' "$rectilin" experiment fig15 shape:box
 expect 2 'one experiment at a time' "$rectilin" experiment all shape:box

@@ -37,14 +37,12 @@ MeshResult mesh_from_json(const Json& line) {
   line.at("faces").get_to(mesh.faces);
   line.at("directions").get_to(mesh.directions);
   mesh.area = number(line.at("area"));  // null if out of range
-  const Json& proof = line.at("certificate");
-  const double bound = number(proof.at("lower"));
-  mesh.upper = rectilinearity(std::isnan(bound) ? 1.0 : std::max(bound, 1.0));  // S <= P holds for any mesh
-  const double found = number(proof.at("merit"));
+  const double found = number(line.at("rectilinearity")), upper = number(line.at("upper"));
+  mesh.upper = std::isnan(upper) ? 1.0 : std::min(upper, 1.0);  // S <= P holds for any mesh
   mesh.lower = std::isnan(found) ? rectilinearity(std::sqrt(3.0)) : std::min(found, mesh.upper);
-  mesh.rotation = rotation_from_json(proof.at("rotation"));
-  mesh.evaluations = number(proof.at("evaluations"));
-  mesh.seconds = number(proof.at("seconds"));
+  mesh.rotation = rotation_from_json(line.at("rotation"));
+  mesh.evaluations = number(line.at("evaluations"));
+  mesh.seconds = number(line.at("seconds"));
   return mesh;
 }
 

@@ -1,4 +1,4 @@
-// Files that are whole or not there.
+// Atomic writes: the whole file or none of it.
 #pragma once
 
 #include <filesystem>

@@ -21,6 +21,7 @@ Experiment fig12();
 Experiment fig13();
 Experiment fig14();
 Experiment fig15();
+Experiment gallery();
 Experiment gap();
 Experiment shortfall();
 
@@ -29,19 +30,12 @@ Experiment shortfall();
 /// about a second.
 template <class Settings>
 Experiment make_experiment(const std::string& name, std::string title, std::string takes, const std::string& quick) {
-  Settings defaults;
-  Parameters shown;
-  defaults.bind(shown);
-  const auto run = [name](const Json& settings, const ExperimentContext& context) {
-    Settings own;
-    Parameters table;
-    own.bind(table);
-    table.set(settings, name);
-    return std::as_const(own).run(context);
-  };
+  auto entry = Factory<ExperimentResult, const ExperimentContext&>::entry(
+      name, std::move(title), Settings(),
+      [](const Settings& settings, const ExperimentContext& context) { return settings.run(context); });
   std::string spec = name;
   if (!quick.empty()) spec.append("?").append(quick);
-  return {name, std::move(title), std::move(takes), shown.describe(), Spec::parse(spec).settings, run};
+  return {std::move(entry), std::move(takes), Spec::parse(spec).settings};
 }
 
 }  // namespace rectilin::figures

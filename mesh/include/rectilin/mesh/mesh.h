@@ -40,7 +40,7 @@ struct MeshReport {
   std::size_t unreferenced_vertices = 0;  ///< vertices that no triangle uses, kept
 };
 
-/// A mesh that cannot be had. what() is one line: "FILE:PLACE: reason", where PLACE is "line N" for
+/// Thrown when a mesh cannot be read, made or measured. what() is one line: "FILE:PLACE: reason", where PLACE is "line N" for
 /// text and "byte N" for binary data (counted from 0), or "FILE: reason" where no place applies.
 class MeshError : public std::runtime_error {
  public:

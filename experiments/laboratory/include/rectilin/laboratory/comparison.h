@@ -12,7 +12,7 @@
 
 namespace rectilin {
 
-/// How far a comparison is.
+/// Progress of a comparison.
 struct ComparisonProgress {
   std::size_t done = 0, total = 0;                                ///< runs, those of an earlier start included
   double seconds_left = std::numeric_limits<double>::infinity();  ///< estimated; infinite while nothing is known
