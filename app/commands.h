@@ -14,5 +14,6 @@ void add_validate_command(CLI::App& app, int& status);
 void add_verify_command(CLI::App& app, int& status);
 void add_convert_command(CLI::App& app, int& status);
 void add_list_commands(CLI::App& app);
+void add_corpus_commands(CLI::App& app, int& status);
 
 }  // namespace rectilin::app

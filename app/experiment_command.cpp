@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "options.h"
+#include "rectilin/base/printable.h"
 #include "rectilin/mesh/source.h"
 #include "rectilin/paper/experiment.h"
 #include "terminal.h"
@@ -66,9 +67,9 @@ class Runner {
     }
     write_experiment_page(options_.out);
     for (const std::string& error : outcome.mesh_errors) complain(error);
-    for (const std::string& trouble : outcome.picture_troubles) complain(trouble);
-    std::cout << experiment.name << ": " << outcome.says << '\n' << std::flush;
-    return outcome.mesh_errors.empty() ? 0 : 1;
+    for (const std::string& trouble : outcome.pictures.lines) complain(trouble);
+    std::cout << experiment.name << ": " << printable(outcome.says) << '\n' << std::flush;
+    return outcome.mesh_errors.empty() && !outcome.pictures.failed ? 0 : 1;
   }
 
  private:
@@ -93,7 +94,7 @@ int experiment(const ExperimentOptions& options, const std::string& command_line
     if (!options.meshes.empty()) throw ParameterError("'all' takes no meshes; give them to one experiment at a time");
     for (const Experiment& one : experiments()) status = std::max(status, runner.run(one, Json::object()));
   }
-  std::cout << options.out << "/index.html\n";
+  std::cout << printable(options.out) << "/index.html\n";
   return status;
 }
 

@@ -3,11 +3,14 @@
 #include <filesystem>
 
 #include "commands.h"
+#include "rectilin/base/printable.h"
+#include "rectilin/base/system_reason.h"
 #include "rectilin/base/version.h"
 #include "terminal.h"
 
 int main(int argc, char** argv) {
   using namespace rectilin::app;
+  clean_up_on_signals();
   CLI::App app(
       "How rectilinear is a 3D mesh?\n"
       "R(M) = 3 (max S/P - 2/3), S the surface area, P the sum of the areas projected on three orthogonal\n"
@@ -25,10 +28,11 @@ int main(int argc, char** argv) {
   add_validate_command(app, status);
   add_verify_command(app, status);
   add_convert_command(app, status);
+  add_corpus_commands(app, status);
   add_list_commands(app);
 
   app.failure_message([](const CLI::App*, const CLI::Error& e) {
-    return "rectilin: " + std::string(e.what()) + " (--help tells what there is)\n";
+    return "rectilin: " + rectilin::printable(e.what()) + " (--help tells what there is)\n";
   });
   try {
     try {
@@ -42,7 +46,7 @@ int main(int argc, char** argv) {
     complain(e.what());
     return 2;
   } catch (const std::filesystem::filesystem_error& e) {
-    complain(e.path1().string() + ": " + e.code().message());
+    complain(e.path1().string() + ": " + rectilin::system_reason(e.code()));
     return 1;
   } catch (const std::exception& e) {
     complain(e.what());

@@ -3,8 +3,10 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 
 #include "commands.h"
+#include "corpus_measure.h"
 #include "measure_printer.h"
 #include "options.h"
 #include "rectilin/base/whole_file.h"
@@ -18,6 +20,7 @@ namespace {
 
 struct MeasureCommand {
   std::vector<std::string> sources;
+  std::vector<std::string> o;  ///< values of -o
   std::string optimizer = "certify";
   std::optional<double> gap;
   bool optima = false;
@@ -27,15 +30,14 @@ struct MeasureCommand {
   Budget budget = {};
   int threads = 0;
   bool json = false;
+  CorpusArguments corpus;
 };
 
-std::vector<std::string> lines_of(std::istream& in) {
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) {
-    if (line.ends_with('\r')) line.pop_back();
-    if (!line.empty()) lines.push_back(line);
-  }
-  return lines;
+/// The sources in the list on standard input.
+std::vector<std::string> listed_sources() {
+  std::ostringstream list;
+  if (std::cin.peek() != std::istream::traits_type::eof()) list << std::cin.rdbuf();
+  return sources_in_list(list.view(), "standard input");
 }
 
 /// What to do with each mesh.
@@ -60,17 +62,47 @@ void check_proof(const std::string& proof, const std::vector<std::string>& sourc
     throw ParameterError("--proof " + proof + ": the proof would be written over a mesh, or look like one");
 }
 
-/// The sources named on the command line and, for each '-', on standard input; folders opened.
-std::vector<std::string> all_sources(const std::vector<std::string>& named) {
+/// -o names an optimizer or, ending in .db, a store; both may be given.
+void take_o(MeasureCommand& command) {
+  bool has_optimizer = false;
+  for (const std::string& value : command.o) {
+    const bool is_store = is_store_name(value);
+    if (is_store ? !command.corpus.store.empty() : has_optimizer)
+      throw ParameterError(std::string("-o: more than one ") + (is_store ? "store" : "optimizer"));
+    has_optimizer |= !is_store;
+    (is_store ? command.corpus.store : command.optimizer) = value;
+  }
+}
+
+/// What the rows of a store are results of: all that a result depends on.
+corpus::Task corpus_task(const MeasureCommand& command) {
+  const Budget& budget = command.budget;
+  return {"measure",
+          {{"optimizer", command.optimizer},
+           {"gap", command.gap ? Json(*command.gap) : Json(nullptr)},
+           {"optima", command.optima},
+           {"domain", command.domain},
+           {"seed", command.seed},
+           {"evaluations", budget.limits_evaluations() ? Json(budget.evaluations) : Json(nullptr)}}};
+}
+
+/// The sources named on the command line and, for each '-', on standard input.
+std::vector<std::string> named_sources(const std::vector<std::string>& named) {
   std::vector<std::string> given;
   for (const std::string& source : named) {
     if (source != "-") given.push_back(source);
     else
-      for (const std::string& line : lines_of(std::cin)) given.push_back(line);
+      for (const std::string& name : listed_sources()) given.push_back(name);
   }
-  std::vector<std::string> sources = expand_folders(given);
-  if (sources.empty()) throw MeshError("the list of files is empty");
-  return sources;
+  return given;
+}
+
+int run_into_store(const MeasureCommand& command) {
+  if (command.json || !command.proof.empty()) throw ParameterError("--json and --proof do not go with a store");
+  options_of(command);  // complains of what the workers would, before there are any
+  const Budget& budget = command.budget;
+  return work_into_store(named_sources(command.sources), corpus_task(command), command.corpus,
+                         budget.limits_seconds() ? std::optional(budget.seconds) : std::nullopt, command.threads);
 }
 
 /// How far a search is that takes its time.
@@ -85,7 +117,10 @@ std::string state_of(const Evaluator& run) {
 
 int run(const MeasureCommand& command) {
   rectilin::MeasureOptions options = options_of(command);
-  const std::vector<std::string> sources = all_sources(command.sources);
+  if (!command.corpus.store.empty()) return run_into_store(command);
+  if (command.corpus.is_used()) throw ParameterError("--shard, --memory, --retry and --done need a store: -O FILE.db");
+  const std::vector<std::string> sources = expand_folders(named_sources(command.sources));
+  if (sources.empty()) throw MeshError("the list of files is empty");
   if (!command.proof.empty()) check_proof(command.proof, sources);
   options.run.stop = stop_on_interrupt();
   const auto limit = limit_threads(command.threads);
@@ -119,17 +154,23 @@ void add_measure_command(CLI::App& app, int& status) {
   auto options = std::make_shared<MeasureCommand>();
   CLI::App* command = app.add_subcommand("measure", "Measure R(M) and the pose of meshes");
   command
-      ->add_option("source", options->sources,
-                   "Mesh files (.off .obj .ply .stl), folders of them, built-in shapes (shape:NAME?key=value, "
-                   "see 'rectilin shapes'), or - for a list on standard input")
+      ->add_option(
+          "source", options->sources,
+          "Mesh files (.off .obj .ply .stl .gltf .glb .3mf), folders and archives of them (zip, tar, 7z; a member "
+          "is archive.zip::path/in/it.obj), lists (.txt, .csv), built-in shapes (shape:NAME?key=value, see "
+          "'rectilin shapes'), or - for a list on standard input")
       ->required();
   command
-      ->add_option("-o,--optimizer", options->optimizer,
-                   "Optimizer, with parameters: ga?population=100 (see 'rectilin optimizers')")
-      ->capture_default_str();
+      ->add_option("-o,--optimizer", options->o,
+                   "Optimizer, with parameters: ga?population=100 (see 'rectilin optimizers'); or a store, FILE.db")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->default_str(options->optimizer);
   command->add_option("-g,--gap", options->gap, "Width to which certify encloses R (default: 1e-6)")->check(width());
-  command->add_option("-p,--proof", options->proof,
-                      "File for a proof of the bounds, one mesh; 'rectilin verify' checks it");
+  command
+      ->add_option("-p,--proof", options->proof,
+                   "File for a proof of the bounds, one mesh; 'rectilin verify' checks it")
+      ->check([](const std::string& file) { return file.empty() ? "a proof needs a file's name" : ""; });
   command->add_flag("--optima", options->optima, "Find all poses within the gap (shown with --json)");
   command
       ->add_option("-d,--domain", options->domain,
@@ -140,9 +181,12 @@ void add_measure_command(CLI::App& app, int& status) {
   command->add_option("-s,--seed", options->seed, "Seed of the random numbers")->check(seed())->capture_default_str();
   command->add_option("-b,--budget", options->budget.evaluations, "Evaluations at most, per mesh (default: no limit)")
       ->check(count());
-  command->add_option("--seconds", options->budget.seconds, "Seconds at most, per mesh (default: no limit)")
+  command
+      ->add_option("--seconds", options->budget.seconds,
+                   "Seconds at most, per mesh (default: no limit); with a store, reading included")
       ->check(positive_number());
   add_threads_option(*command, options->threads, "the answer is the same for any");
+  add_corpus_options(*command, options->corpus);
   command->add_flag("-j,--json", options->json, "One JSON object a line instead of the table");
   command->footer(
       "The angles printed are the paper's alpha, beta, gamma (eqs. 35-37) in degrees, of the rotation that takes\n"
@@ -150,8 +194,12 @@ void add_measure_command(CLI::App& app, int& status) {
       "R is that of the pose found; no pose has more than 'at most', where an optimizer proves it.\n"
       "Examples: rectilin measure chair.off\n"
       "          rectilin measure --json meshes/ > results.jsonl\n"
-      "          rectilin measure --optimizer grid --domain zone 'shape:cylinder?sides=64'");
-  command->callback([options, &status] { status = run(*options); });
+      "          rectilin measure --optimizer grid --domain zone 'shape:cylinder?sides=64'\n"
+      "          rectilin measure abc.zip -o abc.db --seconds 60 --memory 4G");
+  command->callback([options, &status] {
+    take_o(*options);
+    status = run(*options);
+  });
 }
 
 }  // namespace rectilin::app

@@ -3,20 +3,10 @@
 #include <iostream>
 #include <numbers>
 
+#include "rectilin/mesh/mesh_report.h"
+
 namespace rectilin::app {
 namespace {
-
-Json to_json(const MeshReport& r) {
-  return {{"vertices", r.vertices},
-          {"polygons", r.polygons},
-          {"triangulated", r.triangulated},
-          {"nonfinite_vertices", r.nonfinite_vertices},
-          {"dropped_nonfinite", r.dropped_nonfinite},
-          {"dropped_short", r.dropped_short},
-          {"degenerate", r.degenerate},
-          {"duplicate_vertices", r.duplicate_vertices},
-          {"unreferenced_vertices", r.unreferenced_vertices}};
-}
 
 Json to_json(const std::string& name, const Outcome<MeasuredMesh>& row) {
   Json line = {{"name", name}};
@@ -25,15 +15,14 @@ Json to_json(const std::string& name, const Outcome<MeasuredMesh>& row) {
     return line;
   }
   line.update(rectilin::to_json(row.value->result));
-  line["report"] = to_json(row.value->report);
+  line["report"] = rectilin::to_json(row.value->report);
   return line;
 }
 
 std::vector<Table::Column> columns(const std::vector<std::string>& sources) {
-  std::size_t widest = 0;
-  for (const auto& s : sources) widest = std::max(widest, s.size());
-  return {{"name", widest}, {"faces", 8}, {"directions", 8}, {"area", 11},     {"R", 12},          {"at most", 12},
-          {"alpha", 8},     {"beta", 8},  {"gamma", 8},      {"optimizer", 9}, {"evaluations", 8}, {"seconds", 8}};
+  return {{"name", widest(sources)}, {"faces", 8},  {"directions", 8}, {"area", 11}, {"R", 12},
+          {"at most", 12},           {"alpha", 8},  {"beta", 8},       {"gamma", 8}, {"optimizer", 9},
+          {"evaluations", 8},        {"seconds", 8}};
 }
 
 std::vector<std::string> cells(const std::string& name, const Rectilinearity& r) {
@@ -63,6 +52,8 @@ void MeasurePrinter::print(const std::string& name, const Outcome<MeasuredMesh>&
   if (!row.value) {
     ++failed_;
     complain(row.error);
+  } else {
+    complain_of_loss(name, row.value->report);
   }
   if (json_) std::cout << to_text(to_json(name, row)) << '\n';
   else if (row.value) std::cout << table_.row(cells(name, row.value->result)) << '\n';

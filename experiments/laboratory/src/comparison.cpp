@@ -26,6 +26,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kMeshes = "meshes.jsonl";
+constexpr const char* kRuns = "runs.jsonl";
+
 void store_plan(const Plan& plan, const fs::path& folder) {
   const fs::path file = folder / "plan.json";
   if (!fs::exists(file)) {
@@ -77,20 +80,18 @@ class Comparison {
  public:
   Comparison(const Plan& plan, const fs::path& folder, const Registry& registry, const ComparisonSettings& settings)
       : plan_(plan),
+        folder_(folder),
         settings_(settings),
         certifier_(measure_options(plan.certificate, registry)),
-        meshes_(folder / "meshes.jsonl"),
-        runs_(folder / "runs.jsonl") {
+        meshes_(folder / kMeshes),
+        runs_(folder / kRuns) {
     for (const Entry& entry : plan.entries) optimizers_.push_back(registry.make(entry.spec));
   }
 
   ComparisonOutcome go(const std::vector<Json>& known_meshes, const std::vector<Json>& known_runs) {
     for (const std::string& mesh : plan_.meshes) problems_.push_back(load(mesh));
-    for (const Json& line : known_meshes) recall(line);
-    for (const Json& line : known_runs) {
-      done_.emplace(line.at("mesh"), line.at("entry"), line.at("run"));
-      outcome_.failed_runs += line.at("outcome") == to_string(RunRecord::Outcome::kFailed);
-    }
+    for_each_line(folder_ / kMeshes, known_meshes, [&](const Json& line) { recall(line); });
+    for_each_line(folder_ / kRuns, known_runs, [&](const Json& line) { recall_run(line); });
     plan_tasks();
     for (Problem& problem : problems_)
       if (!settings_.stop.stop_requested() && !problem.certified) certify(problem);
@@ -119,10 +120,21 @@ class Comparison {
   void recall(const Json& line) {
     for (Problem& problem : problems_) {
       if (problem.name != line.at("mesh")) continue;
-      problem.certified = true;
+      // A mesh that could not be read then is measured now.
+      problem.certified = !line.contains("error") || !problem.vectors;
+      if (line.contains("error")) continue;
       if (problem.vectors && line.value("mesh_digest", "") != problem.digest)
         throw ParameterError(problem.name + " has changed since the comparison began; choose another folder");
     }
+  }
+
+  void recall_run(const Json& line) {
+    const std::string mesh = line.at("mesh"), entry = line.at("entry");
+    if (std::ranges::find(plan_.meshes, mesh) == plan_.meshes.end() ||
+        std::ranges::find(plan_.entries, entry, &Entry::label) == plan_.entries.end())
+      throw std::out_of_range("a run of another comparison");
+    done_.emplace(mesh, entry, line.at("run"));
+    outcome_.failed_runs += line.at("outcome") == to_string(RunRecord::Outcome::kFailed);
   }
 
   void plan_tasks() {
@@ -222,6 +234,7 @@ class Comparison {
   }
 
   const Plan& plan_;
+  const fs::path& folder_;
   const ComparisonSettings& settings_;
   MeasureOptions certifier_;
   std::vector<std::unique_ptr<Optimizer>> optimizers_;
@@ -244,8 +257,8 @@ ComparisonOutcome run_comparison(const Plan& plan, const fs::path& folder, const
   const FolderLock lock(folder);
   store_plan(plan, folder);
   record_start(plan, registry, folder, settings.command_line);
-  const std::vector<Json> meshes = recover_journal(folder / "meshes.jsonl");
-  const std::vector<Json> runs = recover_journal(folder / "runs.jsonl");
+  const std::vector<Json> meshes = recover_journal(folder / kMeshes);
+  const std::vector<Json> runs = recover_journal(folder / kRuns);
   return Comparison(plan, folder, registry, settings).go(meshes, runs);
 }
 

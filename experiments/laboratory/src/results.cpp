@@ -60,7 +60,7 @@ RunResult run_from_json(Json line, const Results& results) {
   RunResult run;
   const auto index = [](const auto& list, auto member, const Json& name) {
     const auto found = std::ranges::find(list, name.get<std::string>(), member);
-    if (found == list.end()) throw std::runtime_error("runs.jsonl: " + name.dump() + " is not in the plan");
+    if (found == list.end()) throw std::out_of_range(to_text(name) + " is not in the plan");
     return static_cast<std::size_t>(found - list.begin());
   };
   run.mesh = index(results.meshes, &MeshResult::name, line.at("mesh"));
@@ -123,10 +123,11 @@ Results load_results(const fs::path& folder) {
 
   const std::vector<std::string> title = titles(results.plan.meshes);
   std::map<std::string, MeshResult> known;
-  for (const Json& line : recover_journal(folder / "meshes.jsonl")) {
+  const fs::path meshes = folder / "meshes.jsonl", runs = folder / "runs.jsonl";
+  for_each_line(meshes, recover_journal(meshes), [&](const Json& line) {
     MeshResult mesh = mesh_from_json(line);
     known[mesh.name] = mesh;
-  }
+  });
   for (std::size_t i = 0; i < title.size(); ++i) {
     MeshResult mesh = known[results.plan.meshes[i]];
     if (mesh.name.empty()) mesh.error = "not measured yet";
@@ -135,10 +136,10 @@ Results load_results(const fs::path& folder) {
     results.meshes.push_back(std::move(mesh));
   }
   std::set<std::tuple<std::size_t, std::size_t, int>> seen;
-  for (Json& line : recover_journal(folder / "runs.jsonl")) {
-    RunResult run = run_from_json(std::move(line), results);
+  for_each_line(runs, recover_journal(runs), [&](const Json& line) {
+    RunResult run = run_from_json(line, results);
     if (seen.emplace(run.mesh, run.entry, run.run).second) results.runs.push_back(std::move(run));
-  }
+  });
   std::ranges::sort(results.runs, {}, [](const RunResult& r) { return std::tuple(r.mesh, r.entry, r.run); });
   std::vector<double> best;  // a run can beat the rotation that came with the certificate
   for (const MeshResult& mesh : results.meshes) best.push_back(mesh.lower);

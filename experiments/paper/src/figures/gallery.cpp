@@ -14,20 +14,22 @@ Mesh turned(Mesh mesh, const Eigen::Matrix3d& rotation) {
   return mesh;
 }
 
-/// Turns the pose about its axes, which changes neither R nor the planes, until its upright axis is the nearest to z.
-Eigen::Matrix3d upright(const Rotation& pose) {
+/// The frame leaves open which axis is up: of the 24 rotations with the same planes, the one that brings the object
+/// back nearest to how it stood before it was turned by `tilt`.
+Eigen::Matrix3d upright(const Rotation& pose, const Rotation& tilt) {
+  const Eigen::Matrix3d undone = pose.matrix() * tilt.matrix();
   const Rotation* best = nullptr;
-  double highest = -1;
+  double nearest = -4;
   for (const Rotation& symmetry : frame_symmetries()) {
-    const double height = (symmetry.matrix() * pose.matrix()).trace();
-    if (height > highest) highest = height, best = &symmetry;
+    const double trace = (symmetry.matrix() * undone).trace();
+    if (trace > nearest) nearest = trace, best = &symmetry;
   }
   return best->matrix() * pose.matrix();
 }
 
 std::string interval(const Measured& measured) {
   char text[64];
-  std::snprintf(text, sizeof text, "R = %.4f, to within %.0e", measured.value(), measured.upper() - measured.lower());
+  std::snprintf(text, sizeof text, "in its pose, R known to %.0e", measured.upper() - measured.lower());
   return text;
 }
 
@@ -50,9 +52,10 @@ struct Gallery {
     for (std::size_t i = 0; i < samples.size(); ++i) {
       if (!results[i].error.empty()) continue;
       const Mesh mesh = samples[i].make();
+      const Eigen::Matrix3d pose = upright(results[i].result.rotation, tilt);
       cells.push_back({results[i].picture, samples[i].label, "as it comes"});
-      cells.push_back({render::thumbnail(turned(mesh, upright(results[i].result.rotation)), Up::kZ), "in its pose",
-                       interval(results[i])});
+      cells.push_back({render::thumbnail(turned(mesh, pose), Up::kZ), interval(results[i]),
+                       "R = " + four_digits(results[i].value())});
     }
     ExperimentResult result;
     result.says =

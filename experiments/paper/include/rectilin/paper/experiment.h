@@ -59,9 +59,9 @@ const std::vector<Experiment>& experiments();
 const Experiment& find_experiment(const std::string& name);
 
 struct ExperimentOutcome {
-  std::string says;                           ///< see ExperimentResult
-  std::vector<std::string> mesh_errors;       ///< a line for each mesh that could not be measured
-  std::vector<std::string> picture_troubles;  ///< a line for each kind of picture that could not be drawn
+  std::string says;                      ///< see ExperimentResult
+  std::vector<std::string> mesh_errors;  ///< a line for each mesh that could not be measured
+  PictureTroubles pictures;              ///< what could not be drawn
 };
 
 /// Runs an experiment and writes into `folder`, which is made if need be: NAME.json (settings, seed, meshes, provenance,
