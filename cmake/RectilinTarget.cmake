@@ -20,7 +20,7 @@ endfunction()
 #   SOURCES   its files
 #   HOUSES    the houses whose headers its own headers include; linked
 #   COLD      its own code takes next to no time when it runs: see rectilin_cold()
-#   PACKAGES  packages that a program which links it must find, beyond those of HOUSES
+#   PACKAGES  packages that a program which links it must find, beyond those of HOUSES: "NAME" or "NAME VERSION"
 function(rectilin_library name)
   cmake_parse_arguments(PARSE_ARGV 1 house "COLD" "" "SOURCES;HOUSES;PACKAGES")
   set(target rectilin_${name})
