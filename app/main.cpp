@@ -27,6 +27,8 @@ int main(int argc, char** argv) {
   add_experiment_command(app, status, argc, argv);
   add_validate_command(app, status);
   add_verify_command(app, status);
+  add_render_command(app, status);
+  add_silhouette_command(app, status);
   add_convert_command(app, status);
   add_corpus_commands(app, status);
   add_list_commands(app);

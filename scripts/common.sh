@@ -4,8 +4,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 packages=(g++ cmake ninja-build xz-utils
   libeigen3-dev libtbb-dev libhwy-dev nlohmann-json3-dev libcli11-dev catch2 gnuplot-nox
-  libnlopt-cxx-dev libceres-dev libpagmo-dev libmeshoptimizer-dev libpng-dev libtinygltf-dev lib3mf-dev libarchive-dev libsqlite3-dev
-  libbenchmark-dev)
+  libnlopt-cxx-dev libceres-dev libpagmo-dev libmeshoptimizer-dev libpng-dev libtinygltf-dev lib3mf-dev libarchive-dev
+  libsqlite3-dev libbenchmark-dev libpolyclipping-dev)
 
 # step TEXT COMMAND...: says TEXT, runs the command, shows its output only if it fails.
 step() {

@@ -182,7 +182,7 @@ void visit_views(const Mesh& mesh, const Ball& ball, const ViewSphere& sphere, c
   for_each_pair(mesh, ball, sphere, options, [&](ViewRenderer& renderer, std::size_t k) {
     // Taken out for the time of the visit: if it waits for a parallel loop, this thread may begin another direction.
     std::pair<DepthImage, DepthImage> images = std::move(buffers.local());
-    renderer.render_both(frame_towards(sphere.directions()[k]) * pose, images.first, images.second);
+    renderer.render_both(frame_towards(sphere.directions()[k], options.up) * pose, images.first, images.second);
     visit(k, images.first);
     visit(sphere.opposite()[k], images.second);
     buffers.local() = std::move(images);
@@ -193,7 +193,8 @@ std::vector<DepthImage> render_views(const Mesh& mesh, const Ball& ball, const V
                                      const RenderOptions& options, const Rotation& pose) {
   std::vector<DepthImage> images(sphere.size());
   for_each_pair(mesh, ball, sphere, options, [&](ViewRenderer& renderer, std::size_t k) {
-    renderer.render_both(frame_towards(sphere.directions()[k]) * pose, images[k], images[sphere.opposite()[k]]);
+    renderer.render_both(frame_towards(sphere.directions()[k], options.up) * pose, images[k],
+                         images[sphere.opposite()[k]]);
   });
   return images;
 }
