@@ -7,8 +7,9 @@
 namespace rectilin::app {
 
 void add_measure_command(CLI::App& app, int& status);
-/// These two put the command line itself on record.
+/// These three put the command line itself on record.
 void add_compare_command(CLI::App& app, int& status, int argc, const char* const* argv);
+void add_evaluate_command(CLI::App& app, int& status, int argc, const char* const* argv);
 void add_experiment_command(CLI::App& app, int& status, int argc, const char* const* argv);
 void add_validate_command(CLI::App& app, int& status);
 void add_verify_command(CLI::App& app, int& status);

@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "rectilin/mesh/shapes.h"
 #include "rectilin/optim/adapters/all_optimizers.h"
+#include "rectilin/retrieval/descriptor.h"
 #include "terminal.h"
 
 namespace rectilin::app {
@@ -57,6 +58,10 @@ void add_list_commands(CLI::App& app) {
   add_list(
       app, "shapes", "List the built-in shapes and their parameters", [] { return shape_table().entries(); },
       [](const Factory<Mesh>::Entry&) { return Json::object(); });
+  add_list(
+      app, "descriptors", "List the shape descriptors and their parameters",
+      [] { return retrieval::descriptors().entries(); },
+      [](const auto&) { return Json::object(); });
 }
 
 }  // namespace rectilin::app

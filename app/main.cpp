@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   int status = 0;
   add_measure_command(app, status);
   add_compare_command(app, status, argc, argv);
+  add_evaluate_command(app, status, argc, argv);
   add_experiment_command(app, status, argc, argv);
   add_validate_command(app, status);
   add_verify_command(app, status);

@@ -11,6 +11,7 @@
 #include "options.h"
 #include "rectilin/base/whole_file.h"
 #include "rectilin/measure/verify.h"
+#include "rectilin/mesh/normals.h"
 #include "rectilin/mesh/source.h"
 #include "rectilin/optim/adapters/all_optimizers.h"
 #include "terminal.h"
@@ -29,6 +30,7 @@ struct MeasureCommand {
   std::uint64_t seed = 1;
   Budget budget = {};
   int threads = 0;
+  bool normals = false;
   bool json = false;
   CorpusArguments corpus;
 };
@@ -115,8 +117,28 @@ std::string state_of(const Evaluator& run) {
   return text;
 }
 
+MeasuredMesh measure_mesh(const std::string& source, const rectilin::MeasureOptions& options) {
+  const LoadedMesh loaded = load_mesh(source);
+  MeasuredMesh measured{measure(loaded.mesh, options), loaded.report, {}};
+  if (const auto& proof = measured.result.certificate)
+    measured.proof = to_text(to_json(*proof, mesh_digest(loaded.mesh))) + '\n';
+  return measured;
+}
+
+/// A point cloud with normals.
+MeasuredMesh measure_normals(const std::string& source, const rectilin::MeasureOptions& options) {
+  const WeightedNormals cloud = read_normals(source);
+  const ProjectedArea objective(area_vectors_of_normals(cloud.normals, cloud.weights));
+  MeshReport report;
+  report.vertices = cloud.points;
+  report.nonfinite_vertices = cloud.dropped;
+  return {measure(objective, options), report, {}};
+}
+
 int run(const MeasureCommand& command) {
   rectilin::MeasureOptions options = options_of(command);
+  if (command.normals && !(command.proof.empty() && command.corpus.store.empty()))
+    throw ParameterError("--normals does not go with --proof, which is about a mesh, nor with a store");
   if (!command.corpus.store.empty()) return run_into_store(command);
   if (command.corpus.is_used()) throw ParameterError("--shard, --memory, --retry and --done need a store: -O FILE.db");
   const std::vector<std::string> sources = expand_folders(named_sources(command.sources));
@@ -130,11 +152,7 @@ int run(const MeasureCommand& command) {
   const auto measure_one = [&](std::size_t i) {
     rectilin::MeasureOptions own = options;
     own.run.on_progress = [&, i](const Evaluator& run) { progress.note(sources[i] + ": " + state_of(run)); };
-    const LoadedMesh loaded = load_mesh(sources[i]);
-    MeasuredMesh measured{measure(loaded.mesh, own), loaded.report, {}};
-    if (const auto& proof = measured.result.certificate)
-      measured.proof = to_text(to_json(*proof, mesh_digest(loaded.mesh))) + '\n';
-    return measured;
+    return command.normals ? measure_normals(sources[i], own) : measure_mesh(sources[i], own);
   };
   const auto print = [&](std::size_t i, Outcome<MeasuredMesh>&& row) {
     progress.clear();
@@ -171,6 +189,9 @@ void add_measure_command(CLI::App& app, int& status) {
       ->add_option("-p,--proof", options->proof,
                    "File for a proof of the bounds, one mesh; 'rectilin verify' checks it")
       ->check([](const std::string& file) { return file.empty() ? "a proof needs a file's name" : ""; });
+  command->add_flag("--normals", options->normals,
+                    "The sources are point clouds: PLY files with nx, ny, nz, and weight or area if they have it. R and "
+                    "the pose are those of their normals: the certified Manhattan frame");
   command->add_flag("--optima", options->optima, "Find all poses within the gap (shown with --json)");
   command
       ->add_option("-d,--domain", options->domain,

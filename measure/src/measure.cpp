@@ -8,7 +8,7 @@ namespace {
 constexpr double kParallelAngle = 1e-9;
 constexpr std::size_t kListed = 10;
 
-std::array<ParallelFaces, 3> parallel_faces(const Mesh& mesh, const Rotation& rotation) {
+std::array<ParallelFaces, 3> parallel_faces(const MeshView& mesh, const Rotation& rotation) {
   std::array<ParallelFaces, 3> lists;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const Triangle& t = mesh.triangles[i];
@@ -66,7 +66,7 @@ Rectilinearity measure(const ProjectedArea& objective, const MeasureOptions& opt
   return result;
 }
 
-Rectilinearity measure(const Mesh& mesh, const MeasureOptions& options) {
+Rectilinearity measure(const MeshView& mesh, const MeasureOptions& options) {
   Rectilinearity result = measure(ProjectedArea(area_vectors(mesh)), options);
   result.faces = mesh.triangles.size();
   result.parallel_faces = parallel_faces(mesh, result.rotation);

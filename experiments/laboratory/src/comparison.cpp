@@ -106,10 +106,10 @@ class Comparison {
     problem.name = mesh;
     show("reading " + mesh);
     try {
-      const Mesh loaded = load_mesh(mesh).mesh;
-      problem.vectors = area_vectors(loaded);
-      problem.digest = mesh_digest(loaded);
-      problem.faces = loaded.triangles.size();
+      ComparedMesh loaded = settings_.load(mesh);
+      problem.vectors = std::move(loaded.vectors);
+      problem.digest = std::move(loaded.digest);
+      problem.faces = loaded.faces;
     } catch (const std::exception& e) {
       problem.error = error_about(mesh, e.what());
       outcome_.mesh_errors.push_back(problem.error);
@@ -249,6 +249,11 @@ class Comparison {
 };
 
 }  // namespace
+
+ComparedMesh load_compared_mesh(const std::string& source) {
+  const Mesh mesh = load_mesh(source).mesh;
+  return {area_vectors(mesh), mesh.triangles.size(), mesh_digest(mesh)};
+}
 
 ComparisonOutcome run_comparison(const Plan& plan, const fs::path& folder, const Registry& registry,
                                  const ComparisonSettings& settings) {

@@ -22,6 +22,14 @@ Experiment fig13();
 Experiment fig14();
 Experiment fig15();
 Experiment gallery();
+Experiment table1();
+Experiment fig21();
+Experiment table2();
+Experiment table3();
+Experiment table4();
+Experiment table5();
+Experiment table6();
+Experiment fig22();
 Experiment gap();
 Experiment shortfall();
 

@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "rectilin/measure/projected_area.h"
-#include "rectilin/mesh/mesh.h"
+#include "rectilin/mesh/mesh_view.h"
 #include "rectilin/optim/certify.h"
 #include "rectilin/optim/registry.h"
 #include "rectilin/optim/run_record.h"
@@ -72,9 +72,10 @@ struct Rectilinearity {
 /// R of a mesh. Throws MeshError for a mesh without area and ParameterError if the optimizer cannot work on it. A
 /// search that fails, or a budget too small for one evaluation, is a MeshError, too. Thread safe; the same bits for any
 /// number of threads, but for times.
-Rectilinearity measure(const Mesh& mesh, const MeasureOptions& options = {});
+Rectilinearity measure(const MeshView& mesh, const MeasureOptions& options = {});
 
-/// The same for a mesh of which only the area vectors are known: `faces` counts those of positive area, and no parallel
+/// The same for a mesh of which only the area vectors are known, or for a point cloud with normals (see
+/// area_vectors_of_normals(); R is then that of its certified Manhattan frame): `faces` counts those of positive area, and no parallel
 /// faces are listed.
 Rectilinearity measure(const ProjectedArea& objective, const MeasureOptions& options = {});
 
