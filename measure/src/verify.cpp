@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "rectilin/base/parameters.h"
+
 namespace rectilin {
 namespace {
 
