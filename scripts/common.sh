@@ -46,13 +46,14 @@ install_packages() {
   [ ${#missing[@]} -eq 0 ] || step "Installing ${missing[*]}" apt_install "${missing[@]}"
 }
 
-# build PRESET [CMAKE OPTION...]: configures and builds in build/PRESET.
+# build PRESET [CMAKE OPTION...]: configures in build/PRESET and builds the array `targets`, or all if it is empty.
+targets=()
 build() {
   local preset=$1; shift
   install_packages "${packages[@]}"
   [ -z "${CI:-}" ] || set -- -DRECTILIN_WARNINGS_AS_ERRORS=ON "$@"
   step "Configuring ($preset)" cmake --preset "$preset" "$@"
-  step "Building ($preset)" cmake --build --preset "$preset"
+  step "Building ($preset)" cmake --build --preset "$preset" ${targets[@]:+--target "${targets[@]}"}
 }
 
 # The command and the Python package, where people and scripts find them.

@@ -5,7 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "rectilin/base/parameters.h"
+namespace rectilin {
+class Parameters;
+}
 
 namespace rectilin::retrieval {
 
