@@ -1,5 +1,6 @@
 #include "mirror.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -13,6 +14,9 @@ constexpr double kWidth = 0.09;                                     // of the ro
 constexpr std::size_t kTargets = 8000, kFine = 800, kCoarse = 250;  // samples
 constexpr int kDirections = 1000;                                   // of the scan: about 5 degrees apart
 constexpr double kApart = 5 * std::numbers::pi / 180;
+// Of polishing: rounds, how much worse the defect may become, and how far the normal may turn.
+constexpr int kRounds = 12;
+constexpr double kAllowed = 0.005, kStray = 2 * std::numbers::pi / 180;
 
 /// Point i of a Fibonacci spiral over the hemisphere z >= 0.
 Vector3 hemisphere_point(int i, int count) {
@@ -45,12 +49,12 @@ MirrorPlane refined(const MirrorDefect& defect, MirrorPlane plane) {
 
 }  // namespace
 
-MirrorDefect::MirrorDefect(const Surface& surface)
+MirrorDefect::MirrorDefect(const Surface& surface, const Mesh& hull)
     : width_(kWidth * surface.rms),
       field_(sample_surface(surface, kTargets), width_),
       fine_(sample_surface(surface, kFine)),
       coarse_(sample_surface(surface, kCoarse)),
-      outline_(surface.mesh.vertices) {}
+      outline_(hull.vertices) {}
 
 double MirrorDefect::measure(const Samples& samples, const Vector3& normal, double offset) const {
   double sum = 0;
@@ -78,6 +82,41 @@ MirrorPlane MirrorDefect::through_middle(const Vector3& normal) const {
   return a <= b ? MirrorPlane{normal, 0, a} : MirrorPlane{normal, middle, b};
 }
 
+MirrorPlane MirrorDefect::polished(MirrorPlane plane) const {
+  const MirrorPlane start = plane;
+  double scale = width_ / 2;
+  for (int round = 0; round < kRounds; ++round, scale = std::max(scale / 2, width_ * 1e-3)) {
+    const Vector3 first = plane.normal.unitOrthogonal(), second = plane.normal.cross(first);
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Identity() * 1e-12;
+    Vector3 right = Vector3::Zero();
+    for (std::size_t i = 0; i < fine_.size(); ++i) {
+      const Vector3& p = fine_.points[i];
+      const double height = plane.normal.dot(p) - plane.offset;
+      const Vector3 point = p - 2 * height * plane.normal;
+      const auto match = field_.nearest(point);
+      if (!match) continue;
+      const Vector3& m = field_.samples().normals[*match];
+      const double apart = (point - field_.samples().points[*match]).dot(m);
+      const Vector3 turned = fine_.normals[i] - 2 * plane.normal.dot(fine_.normals[i]) * plane.normal;
+      const double alike = m.dot(turned);
+      const double weight = alike * alike * alike * alike / (1 + (apart / scale) * (apart / scale));
+      // Tilting the normal by a in the direction t moves the image by -2a ((t . p) n + height t), raising the offset
+      // by b moves it by 2b n.
+      const auto tilt = [&](const Vector3& t) { return -2 * (t.dot(p) * plane.normal.dot(m) + height * t.dot(m)); };
+      const Vector3 row(tilt(first), tilt(second), 2 * plane.normal.dot(m));
+      squares += weight * row * row.transpose();
+      right -= weight * apart * row;
+    }
+    const Vector3 step = squares.ldlt().solve(right);
+    if (!step.allFinite()) return start;
+    plane.normal = (plane.normal + step[0] * first + step[1] * second).normalized();
+    plane.offset += step[2];
+  }
+  plane.defect = of(plane.normal, plane.offset);
+  const bool better = plane.defect < start.defect + kAllowed && std::abs(plane.normal.dot(start.normal)) > std::cos(kStray);
+  return better ? plane : start;
+}
+
 std::vector<MirrorPlane> mirror_planes(const MirrorDefect& defect, std::size_t count) {
   std::vector<MirrorPlane> scanned;
   for (int i = 0; i < kDirections; ++i) {
@@ -97,7 +136,7 @@ std::vector<MirrorPlane> mirror_planes(const MirrorDefect& defect, std::size_t c
     if (starts.size() == 2 * count) break;
     if (apart_from(starts, plane.normal, 2 * kApart)) starts.push_back(plane);
   }
-  for (MirrorPlane& plane : starts) plane = refined(defect, plane);
+  for (MirrorPlane& plane : starts) plane = defect.polished(refined(defect, plane));
   std::ranges::stable_sort(starts, {}, &MirrorPlane::defect);
   for (const MirrorPlane& plane : starts)
     if (planes.size() < count && apart_from(planes, plane.normal, kApart)) planes.push_back(plane);

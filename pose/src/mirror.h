@@ -21,7 +21,8 @@ struct MirrorPlane {
 /// is still one.
 class MirrorDefect {
  public:
-  explicit MirrorDefect(const Surface& surface);
+  /// `hull` is the surface's convex hull, or anything else with the same extent.
+  MirrorDefect(const Surface& surface, const Mesh& hull);
 
   double of(const Vector3& normal, double offset) const { return measure(fine_, normal, offset); }
   /// With fewer samples.
@@ -31,6 +32,11 @@ class MirrorDefect {
   MirrorPlane through_middle(const Vector3& normal) const;
   double middle_of_extent(const Vector3& normal) const;
 
+  /// Moves a plane nearby to where reflected samples lie in the planes of the faces they come to: a few rounds of least
+  /// squares in which near and parallel faces count. For a mesh that is its own mirror image up to rounding it ends at
+  /// the exact plane.
+  MirrorPlane polished(MirrorPlane plane) const;
+
   double width() const { return width_; }
 
  private:
@@ -39,7 +45,7 @@ class MirrorDefect {
   double width_;
   NearField field_;
   Samples fine_, coarse_;
-  std::vector<Vector3> outline_;  // corners among which are the extreme ones of nearly every direction
+  std::vector<Vector3> outline_;  // corners of the hull
 };
 
 /// The local minima of the defect, best first, no two within 5 degrees; `count` at most. Every plane whose normal is in

@@ -38,8 +38,9 @@ NearField::NearField(Samples samples, double width)
   const int margin = static_cast<int>(std::ceil(kReach * kPerWidth)) + 1;
   for (int k = 0; k < 3; ++k) {
     const double length = std::max((upper[k] - lower[k]) / cell_size_, 0.0);
-    counts_[k] = static_cast<int>(length) + 1 + 2 * margin;
-    origin_[k] = lower[k] - margin * cell_size_;
+    counts_[k] = static_cast<int>(length) + 2 + 2 * margin;
+    // Faces across an axis must not lie on the border between cells, where rounding decides.
+    origin_[k] = lower[k] - (margin + 0.381966) * cell_size_;
   }
   const std::size_t total = static_cast<std::size_t>(counts_[0]) * counts_[1] * counts_[2];
   nearest_.assign(total, kNone);
@@ -63,12 +64,19 @@ NearField::NearField(Samples samples, double width)
   }
 }
 
-double NearField::likeness(const Vector3& point, const Vector3& normal) const {
+std::optional<std::size_t> NearField::nearest(const Vector3& point) const {
   const Vector3 at = (point - origin_) / cell_size_;
   for (int k = 0; k < 3; ++k)
-    if (!(at[k] >= 0 && at[k] < counts_[k])) return 0;
+    if (!(at[k] >= 0 && at[k] < counts_[k])) return std::nullopt;
   const std::uint32_t i = nearest_[cell(static_cast<int>(at[0]), static_cast<int>(at[1]), static_cast<int>(at[2]))];
-  if (i == kNone) return 0;
+  if (i == kNone) return std::nullopt;
+  return i;
+}
+
+double NearField::likeness(const Vector3& point, const Vector3& normal) const {
+  const auto found = nearest(point);
+  if (!found) return 0;
+  const std::size_t i = *found;
   const Vector3 apart = point - samples_.points[i];
   const double above = apart.dot(samples_.normals[i]);
   const double beside = std::sqrt(std::max(apart.squaredNorm() - above * above, 0.0)) - samples_.patch;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "samples.h"
@@ -18,6 +19,10 @@ class NearField {
   /// exp(-d^2 / (2 width^2)) (n . m)^2 with d the distance to the surface and m its normal there: 1 for a point on the
   /// surface whose normal is n, 0 for one far away or at right angles. n of unit length.
   double likeness(const Vector3& point, const Vector3& normal) const;
+
+  /// The sample nearest to a point, roughly; nothing if it is out of reach.
+  std::optional<std::size_t> nearest(const Vector3& point) const;
+  const Samples& samples() const { return samples_; }
 
  private:
   std::size_t cell(int x, int y, int z) const {
