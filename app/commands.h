@@ -13,6 +13,7 @@ void add_experiment_command(CLI::App& app, int& status, int argc, const char* co
 void add_validate_command(CLI::App& app, int& status);
 void add_verify_command(CLI::App& app, int& status);
 void add_convert_command(CLI::App& app, int& status);
+void add_pose_command(CLI::App& app, int& status);
 void add_list_commands(CLI::App& app);
 
 }  // namespace rectilin::app

@@ -1,10 +1,11 @@
-// rectilin optimizers, rectilin shapes: what there is, with every parameter.
+// rectilin optimizers, rectilin poses, rectilin shapes: what there is, with every parameter.
 #include <algorithm>
 #include <iostream>
 
 #include "commands.h"
 #include "rectilin/mesh/shapes.h"
 #include "rectilin/optim/adapters/all_optimizers.h"
+#include "rectilin/pose/pose.h"
 #include "terminal.h"
 
 namespace rectilin::app {
@@ -54,6 +55,9 @@ void add_list_commands(CLI::App& app) {
       app, "optimizers", "List the optimizers, what they can do and need, and their parameters",
       [] { return all_optimizers().entries(); },
       [](const Registry::Entry& entry) { return to_json(all_optimizers().make(entry.name)->capabilities()); });
+  add_list(
+      app, "poses", "List the methods of 'rectilin pose' and their parameters",
+      [] { return pose::pose_methods().entries(); }, [](const auto&) { return Json::object(); });
   add_list(
       app, "shapes", "List the built-in shapes and their parameters", [] { return list_shapes(); },
       [](const ShapeInfo&) { return Json::object(); });

@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   add_experiment_command(app, status, argc, argv);
   add_validate_command(app, status);
   add_verify_command(app, status);
+  add_pose_command(app, status);
   add_convert_command(app, status);
   add_list_commands(app);
 

@@ -4,7 +4,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 packages=(g++ cmake ninja-build xz-utils
   libeigen3-dev libtbb-dev libhwy-dev nlohmann-json3-dev libcli11-dev catch2 gnuplot-nox
-  libnlopt-cxx-dev libceres-dev libpagmo-dev libmeshoptimizer-dev libpng-dev libbenchmark-dev)
+  libnlopt-cxx-dev libceres-dev libpagmo-dev libmeshoptimizer-dev libqhull-dev libpng-dev libbenchmark-dev)
 
 # step TEXT COMMAND...: says TEXT, runs the command, shows its output only if it fails.
 step() {

@@ -26,9 +26,9 @@ double imbalance(const Surface& surface, const Vector3& axis) {
   double positive = 0;
   for (std::size_t i = 0; i < surface.areas.size(); ++i) {
     const Triangle& t = surface.mesh.triangles[i];
-    positive += surface.areas[i] * positive_part({axis.dot(surface.mesh.vertices[t[0]]),
-                                                  axis.dot(surface.mesh.vertices[t[1]]),
-                                                  axis.dot(surface.mesh.vertices[t[2]])});
+    positive +=
+        surface.areas[i] * positive_part({axis.dot(surface.mesh.vertices[t[0]]), axis.dot(surface.mesh.vertices[t[1]]),
+                                          axis.dot(surface.mesh.vertices[t[2]])});
   }
   return 2 * positive / surface.area - 1;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "rectilin/measure/projected_area.h"
+#include "rectilin/optim/registry.h"
 
 namespace rectilin::pose {
 
@@ -16,12 +17,10 @@ void BoxOptions::bind(Parameters& table) {
   table.integer("starts", starts, 1, 100'000, "frames that the search begins from, besides the hull's largest faces");
 }
 
-void SymmetryOptions::bind(Parameters& table) {
-  table.integer("planes", planes, 1, 100, "mirror planes looked for");
-}
+void SymmetryOptions::bind(Parameters& table) { table.integer("planes", planes, 1, 100, "mirror planes looked for"); }
 
 void SilhouetteOptions::bind(Parameters& table) {
-  table.integer("size", size, 16, 4096, "pixels along an edge of the pictures")
+  table.real("tolerance", tolerance, 1e-12, 0.1, "relative width to which silhouettes are known")
       .integer("evaluations", evaluations, 1, 10'000'000, "frames looked at")
       .custom(
           "optimizer", "an optimizer of the library",
@@ -35,7 +34,8 @@ void SilhouetteOptions::bind(Parameters& table) {
 }
 
 void CpnOptions::bind(Parameters& table) {
-  table.integer("size", size, 16, 4096, "pixels along an edge of the pictures")
+  table.flag("pixels", pixels, "count pixels, as the paper does, rather than enclose areas until they are told apart")
+      .integer("size", size, 16, 4096, "pixels along an edge of the pictures")
       .real("gap", gap, 0, 10, "width to which the rectilinearity is certified");
 }
 
@@ -88,7 +88,7 @@ const Factory<PoseMethod>& pose_methods() {
     add<SymmetryOptions>(table, "symmetry", "the best mirror plane or axis of revolution, then the best turn about it",
                          symmetry_pose);
     add<SilhouetteOptions>(table, "silhouette", "least silhouettes of the mesh itself, by search", silhouette_pose);
-    add<CpnOptions>(table, "cpn", "the paper's: PCA or rectilinear, whichever has fewer pixels in three silhouettes",
+    add<CpnOptions>(table, "cpn", "the paper's: PCA or rectilinear, whichever has the smaller three silhouettes",
                     cpn_pose);
     add<CompositeOptions>(table, "composite", "the best of all by projected area and mirror symmetry", composite_pose);
     return table;

@@ -29,13 +29,14 @@ struct SymmetryOptions {
 };
 
 struct SilhouetteOptions {
-  int size = 256;
+  double tolerance = 1e-5;
   int evaluations = 400;
   std::string optimizer = "nelder-mead";
   void bind(Parameters& table);
 };
 
 struct CpnOptions {
+  bool pixels = false;
   int size = 256;
   double gap = 1e-6;
   void bind(Parameters& table);

@@ -113,7 +113,8 @@ MirrorPlane MirrorDefect::polished(MirrorPlane plane) const {
     plane.offset += step[2];
   }
   plane.defect = of(plane.normal, plane.offset);
-  const bool better = plane.defect < start.defect + kAllowed && std::abs(plane.normal.dot(start.normal)) > std::cos(kStray);
+  const bool better =
+      plane.defect < start.defect + kAllowed && std::abs(plane.normal.dot(start.normal)) > std::cos(kStray);
   return better ? plane : start;
 }
 

@@ -10,6 +10,7 @@
 #include "frames.h"
 #include "rectilin/measure/flat_sum.h"
 #include "rectilin/pose/convex_hull.h"
+#include "rectilin/pose/pose.h"
 #include "roundness_of.h"
 
 namespace rectilin::pose {
@@ -54,6 +55,16 @@ double unroundness(const Surface& surface, const Mesh& hull, const Vector3& axis
 double unroundness(const Mesh& mesh, const Vector3& axis) {
   const Surface surface = make_surface(mesh);
   return unroundness(surface, convex_hull(surface.mesh), axis);
+}
+
+void note_roundness(Pose& pose, const Surface& surface, const Mesh& hull, double tolerance) {
+  int free = 0, axis = -1;
+  for (int k = 0; k < 3; ++k)
+    if (unroundness(surface, hull, pose.rotation.axis(k)) < tolerance) ++free, axis = k;
+  if (free == 0) return;
+  pose.uniqueness = free == 1 ? Uniqueness::kContinuum : Uniqueness::kNone;
+  pose.free_axis = free == 1 ? axis : -1;
+  pose.alternatives.clear();
 }
 
 }  // namespace rectilin::pose

@@ -9,8 +9,8 @@ namespace rectilin {
 const std::vector<Experiment>& experiments() {
   using namespace figures;
   static const std::vector<Experiment> all{
-      fig1(),  fig5(),  fig6(),  fig7(),  fig8(),  fig9(), fig10(),
-      fig11(), fig12(), fig13(), fig14(), fig15(), gap(),  shortfall(),
+      fig1(),  fig2(),  fig5(),  fig6(),  fig7(),  fig8(),  fig9(),  fig10(), fig11(),         fig12(),     fig13(),
+      fig14(), fig15(), fig16(), fig17(), fig18(), fig19(), fig20(), gap(),   pose_accuracy(), shortfall(),
   };
   return all;
 }

@@ -60,8 +60,8 @@ struct Pose {
 /// a vertex that no triangle uses lies so far out that the result is beyond the range of numbers.
 Mesh normalized(const Mesh& mesh, const Pose& pose);
 
-/// Finds the pose of a mesh. Immutable and thread safe; the same bits for any number of threads. Throws MeshError if the
-/// mesh has no area, or is too small for its scale to be a number.
+/// Finds the pose of a mesh. Immutable and thread safe; the same bits for any number of threads. Throws MeshError if
+/// the mesh has no area, or is too small for its scale to be a number.
 using PoseMethod = std::function<Pose(const Mesh&)>;
 
 /// Every method there is: pca, vertex-pca, normal-pca, rectilinear, hull, box, symmetry, silhouette, cpn, composite.

@@ -3,28 +3,30 @@
 
 #include "rectilin/mesh/mesh.h"
 #include "rectilin/optim/objective.h"
-#include "rectilin/render/camera.h"
+#include "rectilin/render/silhouette_area.h"
 
 namespace rectilin::pose {
 
-/// The summed area of the three silhouettes of a mesh, over its surface area, to be minimised over rotations. The areas
-/// are pixel counts of pictures of `size` pixels in which the ball about the surface's centre of mass, through the
-/// furthest corner, just fits (paper, section 6): so values are steps, and off by one or two percent for thin parts.
-/// There are no cuts, so nothing can be certified. Immutable and thread safe; the same bits for any number of threads.
+/// The summed area of a mesh's three silhouettes over its surface area, to be minimised over rotations. In [0, P/S];
+/// for a closed convex mesh it is P/(2 S).
+///
+/// There are no cuts, for the silhouette's area is no convex function of the direction: nothing can be certified, and
+/// the best value known is the best value found. Immutable and thread safe; the same bits for any number of threads.
 class SummedSilhouette final : public Objective {
  public:
-  /// Throws MeshError if the mesh has no area.
-  explicit SummedSilhouette(const Mesh& mesh, int size = 256, std::string name = "mesh");
+  /// Areas are known to within `tolerance`, relative (see render::Silhouette); values are the middles. Throws MeshError
+  /// if the mesh has no area.
+  explicit SummedSilhouette(const Mesh& mesh, double tolerance = 1e-6, std::string name = "mesh");
 
   std::string name() const override { return name_; }
   void values(std::span<const Rotation> rotations, std::span<double> values) const override;
-  double value(const Rotation& rotation) const;
+
+  /// What surely holds the exact sum.
+  render::AreaInterval interval(const Rotation& rotation, double tolerance) const;
 
  private:
-  Mesh mesh_;  // of size one, centred
-  render::Ball ball_;
-  int size_;
-  double per_pixel_;  // area of a pixel over the surface's
+  render::Silhouette silhouette_;
+  double area_, tolerance_;
   std::string name_;
 };
 

@@ -4,11 +4,11 @@
 
 #include <filesystem>
 #include <functional>
-#include <stdexcept>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include "rectilin/base/batch.h"
 #include "rectilin/base/parameters.h"
 #include "rectilin/report/plot.h"
 
@@ -52,11 +52,6 @@ struct Experiment {
   /// Throws ParameterError for settings it does not accept, Stopped if the context's token stops
   /// it.
   std::function<ExperimentResult(const Json& settings, const ExperimentContext& context)> run;
-};
-
-class Stopped : public std::runtime_error {
- public:
-  Stopped() : std::runtime_error("stopped") {}
 };
 
 /// Every experiment, in the order of the page. A new one is one file in experiments/src/figures/
