@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "options.h"
+#include "rectilin/base/printable.h"
 #include "rectilin/laboratory/comparison.h"
 #include "rectilin/laboratory/report.h"
 #include "rectilin/mesh/source.h"
@@ -68,10 +69,11 @@ int compare(CompareOptions options, const std::string& command_line) {
     complain("stopped; nothing finished is lost: the same command goes on from here");
     return 1;
   }
-  for (const std::string& trouble : write_report(options.out)) complain(trouble);
+  const PictureTroubles pictures = write_report(options.out);
+  for (const std::string& trouble : pictures.lines) complain(trouble);
   if (outcome.failed_runs > 0) complain(std::to_string(outcome.failed_runs) + " runs failed; the page lists them");
-  std::cout << options.out << "/index.html\n";
-  return outcome.mesh_errors.empty() ? 0 : 1;
+  std::cout << printable(options.out) << "/index.html\n";
+  return outcome.mesh_errors.empty() && !pictures.failed ? 0 : 1;
 }
 
 }  // namespace

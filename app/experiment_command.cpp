@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "options.h"
+#include "rectilin/base/printable.h"
 #include "rectilin/mesh/source.h"
 #include "rectilin/paper/experiment.h"
 #include "terminal.h"
@@ -30,7 +31,7 @@ constexpr const char* kAll = "all";
 void list() {
   std::cout << "rectilin experiment NAME runs one of these, rectilin experiment all runs all.\n\n";
   for (const Experiment& experiment : experiments()) {
-    std::cout << experiment.name << "\n    " << experiment.title;
+    std::cout << experiment.name << "\n    " << experiment.help;
     if (!experiment.takes.empty()) std::cout << "; takes " << experiment.takes;
     std::cout << '\n' << settings_table(experiment.parameters);
   }
@@ -67,9 +68,9 @@ class Runner {
     }
     write_experiment_page(options_.out);
     for (const std::string& error : outcome.mesh_errors) complain(error);
-    for (const std::string& trouble : outcome.picture_troubles) complain(trouble);
-    std::cout << experiment.name << ": " << outcome.says << '\n' << std::flush;
-    return outcome.mesh_errors.empty() ? 0 : 1;
+    for (const std::string& trouble : outcome.pictures.lines) complain(trouble);
+    std::cout << experiment.name << ": " << printable(outcome.says) << '\n' << std::flush;
+    return outcome.mesh_errors.empty() && !outcome.pictures.failed ? 0 : 1;
   }
 
  private:
@@ -96,7 +97,7 @@ int experiment(const ExperimentOptions& options, const std::string& command_line
       throw ParameterError("'all' takes no meshes; give them to one experiment at a time");
     for (const Experiment& one : experiments()) status = std::max(status, runner.run(one, Json::object()));
   }
-  std::cout << options.out << "/index.html\n";
+  std::cout << printable(options.out) << "/index.html\n";
   return status;
 }
 
@@ -118,11 +119,10 @@ void add_experiment_command(CLI::App& app, int& status, int argc, const char* co
   command->add_flag("-q,--quick", options->quick, "Small: about a second for each experiment, and a gap of 1e-3");
   add_threads_option(*command, options->threads, "the answer is the same for any");
   command->footer(
-      "Every R is certified. OUT/NAME.json holds all numbers; each picture has a CSV file beside "
-      "it,\n"
-      "and a gnuplot file if it is a curve. OUT/index.html shows all experiments in the folder. "
-      "One\n"
-      "line says how the outcome compares with the paper.\n"
+      "Every R is certified. OUT/NAME.json holds all numbers; each picture has a CSV file beside it, and a gnuplot "
+      "file\n"
+      "if it is a curve. OUT/index.html shows all experiments in the folder. One line says how the outcome compares\n"
+      "with the paper.\n"
       "Examples: rectilin experiment\n"
       "          rectilin experiment all\n"
       "          rectilin experiment 'fig15?steps=1000' --out pyramids");

@@ -6,6 +6,7 @@
 #include "rectilin/mesh/shapes.h"
 #include "rectilin/optim/adapters/all_optimizers.h"
 #include "rectilin/pose/pose.h"
+#include "rectilin/retrieval/descriptor.h"
 #include "terminal.h"
 
 namespace rectilin::app {
@@ -59,8 +60,11 @@ void add_list_commands(CLI::App& app) {
       app, "poses", "List the methods of 'rectilin pose' and their parameters",
       [] { return pose::pose_methods().entries(); }, [](const auto&) { return Json::object(); });
   add_list(
-      app, "shapes", "List the built-in shapes and their parameters", [] { return list_shapes(); },
-      [](const ShapeInfo&) { return Json::object(); });
+      app, "shapes", "List the built-in shapes and their parameters", [] { return shape_table().entries(); },
+      [](const Factory<Mesh>::Entry&) { return Json::object(); });
+  add_list(
+      app, "descriptors", "List the shape descriptors and their parameters",
+      [] { return retrieval::descriptors().entries(); }, [](const auto&) { return Json::object(); });
 }
 
 }  // namespace rectilin::app

@@ -3,11 +3,14 @@
 #include <filesystem>
 
 #include "commands.h"
+#include "rectilin/base/printable.h"
+#include "rectilin/base/system_reason.h"
 #include "rectilin/base/version.h"
 #include "terminal.h"
 
 int main(int argc, char** argv) {
   using namespace rectilin::app;
+  clean_up_on_signals();
   CLI::App app(
       "How rectilinear is a 3D mesh?\n"
       "R(M) = 3 (max S/P - 2/3), S the surface area, P the sum of the areas projected on three orthogonal\n"
@@ -21,15 +24,19 @@ int main(int argc, char** argv) {
   int status = 0;
   add_measure_command(app, status);
   add_compare_command(app, status, argc, argv);
+  add_evaluate_command(app, status, argc, argv);
   add_experiment_command(app, status, argc, argv);
   add_validate_command(app, status);
   add_verify_command(app, status);
   add_pose_command(app, status);
+  add_render_command(app, status);
+  add_silhouette_command(app, status);
   add_convert_command(app, status);
+  add_corpus_commands(app, status);
   add_list_commands(app);
 
   app.failure_message([](const CLI::App*, const CLI::Error& e) {
-    return "rectilin: " + std::string(e.what()) + " (--help tells what there is)\n";
+    return "rectilin: " + rectilin::printable(e.what()) + " (--help tells what there is)\n";
   });
   try {
     try {
@@ -43,7 +50,7 @@ int main(int argc, char** argv) {
     complain(e.what());
     return 2;
   } catch (const std::filesystem::filesystem_error& e) {
-    complain(e.path1().string() + ": " + e.code().message());
+    complain(e.path1().string() + ": " + rectilin::system_reason(e.code()));
     return 1;
   } catch (const std::exception& e) {
     complain(e.what());

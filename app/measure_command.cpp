@@ -1,17 +1,17 @@
 // rectilin measure: from files and shapes to R(M).
-#include <tbb/global_control.h>
-#include <tbb/parallel_pipeline.h>
-#include <tbb/task_arena.h>
-
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 
 #include "commands.h"
-#include "measure_row.h"
+#include "corpus_measure.h"
+#include "measure_printer.h"
 #include "options.h"
 #include "rectilin/base/whole_file.h"
+#include "rectilin/measure/verify.h"
+#include "rectilin/mesh/normals.h"
 #include "rectilin/mesh/source.h"
 #include "rectilin/optim/adapters/all_optimizers.h"
 #include "terminal.h"
@@ -19,9 +19,10 @@
 namespace rectilin::app {
 namespace {
 
-struct MeasureOptions {
+struct MeasureCommand {
   std::vector<std::string> sources;
-  std::string optimizer = Certify::kName;
+  std::vector<std::string> o;  ///< values of -o
+  std::string optimizer = "certify";
   std::optional<double> gap;
   bool optima = false;
   std::string proof;
@@ -29,27 +30,30 @@ struct MeasureOptions {
   std::uint64_t seed = 1;
   Budget budget = {};
   int threads = 0;
+  bool normals = false;
   bool json = false;
+  CorpusArguments corpus;
 };
 
-std::vector<std::string> lines_of(std::istream& in) {
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) {
-    if (line.ends_with('\r')) line.pop_back();
-    if (!line.empty()) lines.push_back(line);
-  }
-  return lines;
+/// The sources in the list on standard input.
+std::vector<std::string> listed_sources() {
+  std::ostringstream list;
+  if (std::cin.peek() != std::istream::traits_type::eof()) list << std::cin.rdbuf();
+  return sources_in_list(list.view(), "standard input");
 }
 
-/// The optimizer asked for, with the options that only Certify has.
-std::unique_ptr<Optimizer> make_optimizer(const MeasureOptions& options) {
-  if (!options.gap && !options.optima && options.proof.empty()) return all_optimizers().make(options.optimizer);
-  Spec spec = Spec::parse(options.optimizer);
-  if (spec.name != Certify::kName)
-    throw ParameterError("--gap, --optima and --proof need the optimizer " + std::string(Certify::kName));
-  if (options.gap) spec.settings["gap"] = *options.gap;
-  if (options.optima) spec.settings["optima"] = true;
-  return all_optimizers().make(spec.name, spec.settings);
+/// What to do with each mesh.
+rectilin::MeasureOptions options_of(const MeasureCommand& command) {
+  rectilin::MeasureOptions options = measure_options(command.optimizer, all_optimizers());
+  if ((command.gap || command.optima || !command.proof.empty()) && options.optimizer)
+    throw ParameterError("--gap, --optima and --proof need the optimizer certify");
+  if (command.gap) options.certify.gap = *command.gap;
+  if (command.optima) options.certify.optima = true;
+  options.certificate = !command.proof.empty();
+  options.run.budget = command.budget;
+  options.run.seed = command.seed;
+  options.run.domain = &domain_by_name(command.domain);
+  return options;
 }
 
 /// A proof must not take the place of a mesh.
@@ -60,72 +64,135 @@ void check_proof(const std::string& proof, const std::vector<std::string>& sourc
     throw ParameterError("--proof " + proof + ": the proof would be written over a mesh, or look like one");
 }
 
-int measure(const MeasureOptions& options) {
-  const auto optimizer = make_optimizer(options);
-  RunSettings settings;
-  settings.budget = options.budget;
-  settings.seed = options.seed;
-  settings.domain = &domain_by_name(options.domain);
+/// -o names an optimizer or, ending in .db, a store; both may be given.
+void take_o(MeasureCommand& command) {
+  bool has_optimizer = false;
+  for (const std::string& value : command.o) {
+    const bool is_store = is_store_name(value);
+    if (is_store ? !command.corpus.store.empty() : has_optimizer)
+      throw ParameterError(std::string("-o: more than one ") + (is_store ? "store" : "optimizer"));
+    has_optimizer |= !is_store;
+    (is_store ? command.corpus.store : command.optimizer) = value;
+  }
+}
 
+/// What the rows of a store are results of: all that a result depends on.
+corpus::Task corpus_task(const MeasureCommand& command) {
+  const Budget& budget = command.budget;
+  return {"measure",
+          {{"optimizer", command.optimizer},
+           {"gap", command.gap ? Json(*command.gap) : Json(nullptr)},
+           {"optima", command.optima},
+           {"domain", command.domain},
+           {"seed", command.seed},
+           {"evaluations", budget.limits_evaluations() ? Json(budget.evaluations) : Json(nullptr)}}};
+}
+
+/// The sources named on the command line and, for each '-', on standard input.
+std::vector<std::string> named_sources(const std::vector<std::string>& named) {
   std::vector<std::string> given;
-  for (const std::string& source : options.sources) {
+  for (const std::string& source : named) {
     if (source != "-") given.push_back(source);
     else
-      for (const std::string& line : lines_of(std::cin)) given.push_back(line);
+      for (const std::string& name : listed_sources()) given.push_back(name);
   }
-  const std::vector<std::string> sources = expand_folders(given);
+  return given;
+}
+
+int run_into_store(const MeasureCommand& command) {
+  if (command.json || !command.proof.empty()) throw ParameterError("--json and --proof do not go with a store");
+  options_of(command);  // complains of what the workers would, before there are any
+  const Budget& budget = command.budget;
+  return work_into_store(named_sources(command.sources), corpus_task(command), command.corpus,
+                         budget.limits_seconds() ? std::optional(budget.seconds) : std::nullopt, command.threads);
+}
+
+/// How far a search is that takes its time.
+std::string state_of(const Evaluator& run) {
+  std::string text = fixed(run.seconds(), 0) + " s, " + std::to_string(run.costs().evaluations()) + " evaluations";
+  if (!run.has_incumbent()) return text;
+  const double found = run.objective().merit(run.incumbent().value);
+  text += ", R >= " + fixed(found, 6);
+  if (run.lower_bound()) text += ", gap " + general(run.objective().merit(*run.lower_bound()) - found, 2);
+  return text;
+}
+
+MeasuredMesh measure_mesh(const std::string& source, const rectilin::MeasureOptions& options) {
+  const LoadedMesh loaded = load_mesh(source);
+  MeasuredMesh measured{measure(loaded.mesh, options), loaded.report, {}};
+  if (const auto& proof = measured.result.certificate)
+    measured.proof = to_text(to_json(*proof, mesh_digest(loaded.mesh))) + '\n';
+  return measured;
+}
+
+/// A point cloud with normals.
+MeasuredMesh measure_normals(const std::string& source, const rectilin::MeasureOptions& options) {
+  const WeightedNormals cloud = read_normals(source);
+  const ProjectedArea objective(area_vectors_of_normals(cloud.normals, cloud.weights));
+  MeshReport report;
+  report.vertices = cloud.points;
+  report.nonfinite_vertices = cloud.dropped;
+  return {measure(objective, options), report, {}};
+}
+
+int run(const MeasureCommand& command) {
+  rectilin::MeasureOptions options = options_of(command);
+  if (command.normals && !(command.proof.empty() && command.corpus.store.empty()))
+    throw ParameterError("--normals does not go with --proof, which is about a mesh, nor with a store");
+  if (!command.corpus.store.empty()) return run_into_store(command);
+  if (command.corpus.is_used()) throw ParameterError("--shard, --memory, --retry and --done need a store: -O FILE.db");
+  const std::vector<std::string> sources = expand_folders(named_sources(command.sources));
   if (sources.empty()) throw MeshError("the list of files is empty");
-  if (!options.proof.empty()) check_proof(options.proof, sources);
-  settings.stop = stop_on_interrupt();
+  if (!command.proof.empty()) check_proof(command.proof, sources);
+  options.run.stop = stop_on_interrupt();
+  const auto limit = limit_threads(command.threads);
 
-  const auto limit = limit_threads(options.threads);
-  const std::size_t at_once = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-
-  // Several files at once, rows in order. Isolated, because a thread that waits for the loops inside one
-  // file must not pick up another file and charge its time to the first.
-  Printer printer(sources, options.json);
-  std::size_t next = 0;
-  const auto take = [&](tbb::flow_control& flow) {
-    if (next < sources.size() && !settings.stop.stop_requested()) return next++;
-    flow.stop();
-    return next;
-  };
+  MeasurePrinter printer(sources, command.json);
+  Progress progress(sources.size());
   const auto measure_one = [&](std::size_t i) {
-    auto row = std::make_shared<Row>();
-    tbb::this_task_arena::isolate(
-        [&] { *row = measure_source(sources[i], *optimizer, settings, !options.proof.empty()); });
-    return row;
+    rectilin::MeasureOptions own = options;
+    own.run.on_progress = [&, i](const Evaluator& run) { progress.note(sources[i] + ": " + state_of(run)); };
+    return command.normals ? measure_normals(sources[i], own) : measure_mesh(sources[i], own);
   };
-  const auto print = [&](const std::shared_ptr<Row>& row) {
-    printer.print(*row);
-    if (!row->proof.empty()) write_whole_file(options.proof, row->proof);
+  const auto print = [&](std::size_t i, Outcome<MeasuredMesh>&& row) {
+    progress.clear();
+    printer.print(sources[i], row);
+    if (row.value && !row.value->proof.empty()) write_whole_file(command.proof, row.value->proof);
   };
-  using RowPointer = std::shared_ptr<Row>;
-  tbb::parallel_pipeline(at_once,
-                         tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, take) &
-                             tbb::make_filter<std::size_t, RowPointer>(tbb::filter_mode::parallel, measure_one) &
-                             tbb::make_filter<RowPointer, void>(tbb::filter_mode::serial_in_order, print));
-  if (next < sources.size()) complain("stopped: " + std::to_string(sources.size() - next) + " meshes are not measured");
-  return printer.failed() > 0 || settings.stop.stop_requested() ? 1 : 0;
+  const std::size_t done = for_each_in_order<MeasuredMesh>(sources, measure_one, print,
+                                                           {.stop = options.run.stop, .on_progress = progress.shown()});
+  progress.clear();
+  if (done < sources.size()) complain("stopped: " + std::to_string(sources.size() - done) + " meshes are not measured");
+  return printer.failed() > 0 || options.run.stop.stop_requested() ? 1 : 0;
 }
 
 }  // namespace
 
 void add_measure_command(CLI::App& app, int& status) {
-  auto options = std::make_shared<MeasureOptions>();
+  auto options = std::make_shared<MeasureCommand>();
   CLI::App* command = app.add_subcommand("measure", "Measure R(M) and the pose of meshes");
   command
-      ->add_option("source", options->sources,
-                   "Mesh files (.off .obj .ply .stl), folders of them, built-in shapes (shape:NAME?key=value, "
-                   "see 'rectilin shapes'), or - for a list on standard input")
+      ->add_option(
+          "source", options->sources,
+          "Mesh files (.off .obj .ply .stl .gltf .glb .3mf), folders and archives of them (zip, tar, 7z; a member "
+          "is archive.zip::path/in/it.obj), lists (.txt, .csv), built-in shapes (shape:NAME?key=value, see "
+          "'rectilin shapes'), or - for a list on standard input")
       ->required();
   command
-      ->add_option("-o,--optimizer", options->optimizer,
-                   "Optimizer, with parameters: ga?population=100 (see 'rectilin optimizers')")
-      ->capture_default_str();
+      ->add_option("-o,--optimizer", options->o,
+                   "Optimizer, with parameters: ga?population=100 (see 'rectilin optimizers'); or a store, FILE.db")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->default_str(options->optimizer);
   command->add_option("-g,--gap", options->gap, "Width to which certify encloses R (default: 1e-6)")->check(width());
-  command->add_option("-p,--proof", options->proof,
-                      "File for a proof of the bounds, one mesh; 'rectilin verify' checks it");
+  command
+      ->add_option("-p,--proof", options->proof,
+                   "File for a proof of the bounds, one mesh; 'rectilin verify' checks it")
+      ->check([](const std::string& file) { return file.empty() ? "a proof needs a file's name" : ""; });
+  command->add_flag(
+      "--normals", options->normals,
+      "The sources are point clouds: PLY files with nx, ny, nz, and weight or area if they have it. R and "
+      "the pose are those of their normals: the certified Manhattan frame");
   command->add_flag("--optima", options->optima, "Find all poses within the gap (shown with --json)");
   command
       ->add_option("-d,--domain", options->domain,
@@ -136,9 +203,12 @@ void add_measure_command(CLI::App& app, int& status) {
   command->add_option("-s,--seed", options->seed, "Seed of the random numbers")->check(seed())->capture_default_str();
   command->add_option("-b,--budget", options->budget.evaluations, "Evaluations at most, per mesh (default: no limit)")
       ->check(count());
-  command->add_option("--seconds", options->budget.seconds, "Seconds at most, per mesh (default: no limit)")
+  command
+      ->add_option("--seconds", options->budget.seconds,
+                   "Seconds at most, per mesh (default: no limit); with a store, reading included")
       ->check(positive_number());
   add_threads_option(*command, options->threads, "the answer is the same for any");
+  add_corpus_options(*command, options->corpus);
   command->add_flag("-j,--json", options->json, "One JSON object a line instead of the table");
   command->footer(
       "The angles printed are the paper's alpha, beta, gamma (eqs. 35-37) in degrees, of the rotation that takes\n"
@@ -146,8 +216,12 @@ void add_measure_command(CLI::App& app, int& status) {
       "R is that of the pose found; no pose has more than 'at most', where an optimizer proves it.\n"
       "Examples: rectilin measure chair.off\n"
       "          rectilin measure --json meshes/ > results.jsonl\n"
-      "          rectilin measure --optimizer grid --domain zone 'shape:cylinder?sides=64'");
-  command->callback([options, &status] { status = measure(*options); });
+      "          rectilin measure --optimizer grid --domain zone 'shape:cylinder?sides=64'\n"
+      "          rectilin measure abc.zip -o abc.db --seconds 60 --memory 4G");
+  command->callback([options, &status] {
+    take_o(*options);
+    status = run(*options);
+  });
 }
 
 }  // namespace rectilin::app

@@ -43,6 +43,7 @@ struct Posed {
   pose::Pose pose;
   bool resolved = true;
   double area = 0;
+  MeshReport report;
   std::string file;                     ///< where the posed mesh was written
   std::array<std::string, 3> pictures;  ///< if there is to be a contact sheet
 };
@@ -64,6 +65,8 @@ std::vector<std::string> targets(const PoseOptions& options, const std::vector<s
       throw ParameterError("--write " + options.write + ": one file for several meshes; name a folder");
     return {options.write};
   }
+  if (!format_of_extension("mesh." + options.format))
+    throw ParameterError("no meshes are written as ." + options.format);
   fs::create_directories(options.write);
   std::vector<std::string> files;
   std::set<std::string> taken;
@@ -94,8 +97,10 @@ class Poser {
       : options_(options), method_(pose::pose_methods().make(options.method)), rule_(rule_of(options.axes)) {}
 
   Posed operator()(const std::string& source, const std::string& target) const {
-    const Mesh mesh = load_mesh(source).mesh;
+    const LoadedMesh loaded = load_mesh(source);
+    const Mesh& mesh = loaded.mesh;
     Posed posed;
+    posed.report = loaded.report;
     posed.pose = method_(mesh);
     const pose::Axes axes = pose::resolve_axes(mesh, posed.pose.rotation, rule_);
     follow(posed.pose, axes.rotation);
@@ -184,10 +189,8 @@ class Printer {
 
  private:
   static std::vector<Table::Column> columns(const std::vector<std::string>& sources) {
-    std::size_t widest = 0;
-    for (const auto& s : sources) widest = std::max(widest, s.size());
-    return {{"name", widest},    {"chosen", 22},   {"P/S", 9},    {"silhouettes", 11}, {"next", 22},
-            {"silhouettes", 11}, {"turned by", 9}, {"unique", 8}, {"confidence", 6}};
+    return {{"name", widest(sources)}, {"chosen", 22},   {"P/S", 9},    {"silhouettes", 11}, {"next", 22},
+            {"silhouettes", 11},       {"turned by", 9}, {"unique", 8}, {"confidence", 6}};
   }
 
   bool json_;
@@ -214,6 +217,7 @@ int pose_meshes(const PoseOptions& options) {
       printer.print_error(sources[i], outcome.error);
       return;
     }
+    complain_of_loss(sources[i], outcome.value->report);
     printer.print(sources[i], *outcome.value);
     if (options.sheet.empty() || cells.size() >= 3 * kSheetLimit) return;
     const pose::Pose& pose = outcome.value->pose;
@@ -222,11 +226,8 @@ int pose_meshes(const PoseOptions& options) {
       cells.push_back(
           {outcome.value->pictures[k], fs::path(sources[i]).filename().string() + " from " + "xyz"[k], values[k]});
   };
-  const std::size_t done = for_each_in_order<Posed>(
-      sources, [&](std::size_t i) { return poser(sources[i], files[i]); }, deliver,
-      {.stop = stop, .on_progress = [&](std::size_t finished, std::size_t, const std::string& text) {
-         progress.show(finished, text);
-       }});
+  const std::size_t done = for_each_in_order<Posed>(sources, [&](std::size_t i) { return poser(sources[i], files[i]); },
+                                                    deliver, {.stop = stop, .on_progress = progress.shown()});
   progress.clear();
   if (!options.sheet.empty()) write_whole_file(options.sheet, report::contact_sheet(cells, 6).svg);
   if (done < sources.size()) complain("stopped: " + std::to_string(sources.size() - done) + " meshes have no pose");
@@ -254,9 +255,7 @@ void add_pose_command(CLI::App& app, int& status) {
   command->add_option("-w,--write", options->write,
                       "Folder for the meshes in their pose, or a file for one: centre of mass at the origin, largest "
                       "polar distance 1. Vertices and faces only: colours and textures are not kept");
-  command->add_option("-f,--format", options->format, "Format of meshes written into a folder")
-      ->check(CLI::IsMember({"off", "obj", "ply", "stl"}))
-      ->capture_default_str();
+  command->add_option("-f,--format", options->format, "Format of meshes written into a folder")->capture_default_str();
   command->add_option("--sheet", options->sheet,
                       "SVG file for a contact sheet: three views of each, 500 meshes at most");
   add_threads_option(*command, options->threads, "the answer is the same for any");

@@ -1,12 +1,20 @@
 #include "terminal.h"
 
+#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <string_view>
+
+#include "rectilin/base/printable.h"
+#include "rectilin/base/system_reason.h"
+#include "rectilin/base/unfinished_files.h"
+#include "rectilin/mesh/mesh_report.h"
 
 namespace rectilin::app {
 namespace {
@@ -23,6 +31,45 @@ std::stop_source& interrupt_source() {
   return source;
 }
 
+std::atomic<bool> can_stop = false;  ///< somebody listens to the token
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+/// Ends the program as the signal does by itself, but leaves no unfinished files.
+void end(int number) {
+  remove_unfinished_files();
+  std::signal(number, SIG_DFL);
+  std::raise(number);
+}
+
+void stop_or_end(int number) {
+  if (!can_stop.exchange(false)) return end(number);
+  interrupt_source().request_stop();  // no callbacks are registered: an atomic store
+}
+
+/// A word as a shell reads it.
+std::string shell_word(const std::string& word) {
+  constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_@%+=:,./-";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  const bool shown = is_printable(word);
+  std::string quoted = shown ? "'" : "$'";
+  for (const char c : word) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (shown) {
+      if (c == '\'') quoted += "'\\''";
+      else quoted += c;
+    } else if (c == '\'' || c == '\\') {
+      quoted.append("\\").append(1, c);
+    } else if (byte >= 0x20 && byte < 0x7F) {
+      quoted += c;
+    } else {  // three octal digits: no digit that follows can be taken for one of them
+      char code[8];
+      std::snprintf(code, sizeof code, "\\%03o", static_cast<unsigned>(byte));
+      quoted += code;
+    }
+  }
+  return quoted + "'";
+}
+
 }  // namespace
 
 Progress::Progress(std::size_t total) : total_(total), terminal_(isatty(STDERR_FILENO) != 0) {}
@@ -30,12 +77,24 @@ Progress::Progress(std::size_t total) : total_(total), terminal_(isatty(STDERR_F
 Progress::~Progress() { clear(); }
 
 void Progress::show(std::size_t done, const std::string& text) {
+  const std::lock_guard lock(mutex_);
+  done_ = done;
+  draw(text);
+}
+
+void Progress::note(const std::string& text) {
+  const std::lock_guard lock(mutex_);
+  draw(text);
+}
+
+void Progress::draw(const std::string& text) {
   if (!terminal_) return;
-  std::cerr << "\r\033[K[" << done << '/' << total_ << "] " << text.substr(0, 60) << std::flush;
+  std::cerr << "\r\033[K[" << done_ << '/' << total_ << "] " << shortened(text, 100) << std::flush;
   shown_ = true;
 }
 
 void Progress::clear() {
+  const std::lock_guard lock(mutex_);
   if (shown_) std::cerr << "\r\033[K" << std::flush;
   shown_ = false;
 }
@@ -53,8 +112,9 @@ std::string Table::header() const {
 std::string Table::row(const std::vector<std::string>& cells) const {
   std::string text;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const std::string padding(columns_[i].width - std::min(columns_[i].width, cells[i].size()), ' ');
-    text += i == 0 ? cells[i] + padding : "  " + padding + cells[i];
+    const std::string cell = printable(cells[i]);
+    const std::string padding(columns_[i].width - std::min(columns_[i].width, width(cell)), ' ');
+    text += i == 0 ? cell + padding : "  " + padding + cell;
   }
   return text;
 }
@@ -64,12 +124,14 @@ std::string general(double x, int digits) { return printed("%.*g", digits, x); }
 
 std::string quoted_command_line(int argc, const char* const* argv) {
   std::string line;
-  for (int i = 0; i < argc; ++i) {
-    const std::string word = argv[i];
-    const bool plain = word.find_first_of(" \t'\"?&*;()$`\\|<>#!") == std::string::npos;
-    line += (i > 0 ? " " : "") + (plain ? word : "'" + word + "'");
-  }
+  for (int i = 0; i < argc; ++i) line += (i > 0 ? " " : "") + shell_word(argv[i]);
   return line;
+}
+
+std::size_t widest(const std::vector<std::string>& texts) {
+  std::size_t columns = 0;
+  for (const std::string& text : texts) columns = std::max(columns, width(printable(text)));
+  return columns;
 }
 
 std::string settings_table(const std::vector<Parameters::Description>& settings) {
@@ -82,18 +144,35 @@ std::string settings_table(const std::vector<Parameters::Description>& settings)
   return text;
 }
 
-void complain(const std::string& message) { std::cerr << "rectilin: " << message << '\n'; }
+void complain(const std::string& message) { std::cerr << "rectilin: " << printable(message) << '\n'; }
+
+void complain_of_loss(const std::string& name, const MeshReport& report) {
+  if (const std::string loss = summary(report); !loss.empty()) complain(name + ": " + loss);
+}
 
 void check_output() {
-  if (!std::cout.flush()) throw std::runtime_error("standard output: cannot be written (is the disk full?)");
+  errno = 0;
+  if (std::cout.flush()) return;
+  throw std::runtime_error("standard output: cannot be written" + (errno != 0 ? ": " + system_reason(errno) : ""));
+}
+
+void clean_up_on_signals() {
+  interrupt_source();  // made before the handler can ask for it
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU, SIGXFSZ}) {
+    struct sigaction before {};
+    sigaction(number, nullptr, &before);
+    if (before.sa_handler == SIG_IGN) continue;
+    const bool may_stop = number == SIGINT || number == SIGTERM || number == SIGHUP;
+    struct sigaction action {};
+    action.sa_handler = may_stop ? stop_or_end : end;
+    action.sa_flags = SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    sigaction(number, &action, nullptr);
+  }
 }
 
 std::stop_token stop_on_interrupt() {
-  interrupt_source();  // made before the handler can ask for it
-  std::signal(SIGINT, [](int) {
-    std::signal(SIGINT, SIG_DFL);
-    interrupt_source().request_stop();  // no callbacks are registered: an atomic store
-  });
+  can_stop = true;
   return interrupt_source().get_token();
 }
 

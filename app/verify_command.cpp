@@ -1,10 +1,9 @@
 // rectilin verify: is a proof of R(M) right?
-#include <fstream>
 #include <iostream>
 #include <memory>
-#include <sstream>
 
 #include "commands.h"
+#include "rectilin/base/whole_file.h"
 #include "rectilin/measure/verify.h"
 #include "rectilin/mesh/source.h"
 #include "terminal.h"
@@ -13,10 +12,10 @@ namespace rectilin::app {
 namespace {
 
 int verify(const std::string& proof, const std::string& source) {
-  std::ifstream in(proof, std::ios::binary);
-  std::ostringstream text;
-  if (!(text << in.rdbuf())) throw MeshError(proof + ": cannot be read");
-  const Verdict verdict = verify_certificate(text.str(), load_mesh(source).mesh);
+  const std::string text = read_whole_file(proof);
+  const LoadedMesh loaded = load_mesh(source);
+  complain_of_loss(source, loaded.report);
+  const Verdict verdict = verify_certificate(text, loaded.mesh);
   if (!verdict.accepted) {
     std::cout << "refused: " << verdict.reason << '\n';
     return 1;

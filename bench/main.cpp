@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
   register_search_benchmarks();
   register_proof_benchmarks();
   register_pose_benchmarks();
+  register_view_benchmarks();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }

@@ -4,7 +4,10 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 packages=(g++ cmake ninja-build xz-utils
   libeigen3-dev libtbb-dev libhwy-dev nlohmann-json3-dev libcli11-dev catch2 gnuplot-nox
-  libnlopt-cxx-dev libceres-dev libpagmo-dev libmeshoptimizer-dev libqhull-dev libpng-dev libbenchmark-dev)
+  libnlopt-cxx-dev libceres-dev libpagmo-dev libmeshoptimizer-dev libqhull-dev libpng-dev libtinygltf-dev lib3mf-dev
+  libarchive-dev libsqlite3-dev libbenchmark-dev libpolyclipping-dev
+  python3-dev pybind11-dev python3-numpy python3-scipy python3-matplotlib python3-pytest python3-pip python3-setuptools
+  python3-wheel)
 
 # step TEXT COMMAND...: says TEXT, runs the command, shows its output only if it fails.
 step() {
@@ -52,7 +55,8 @@ build() {
   step "Building ($preset)" cmake --build --preset "$preset"
 }
 
-# The command, where people and scripts find it.
+# The command and the Python package, where people and scripts find them.
 link_command() {
   ln -sfn release/app/rectilin build/rectilin
+  ln -sfn release/python build/python
 }

@@ -1,7 +1,10 @@
 #include "rectilin/base/journal.h"
 
+#include <cerrno>
 #include <stdexcept>
 #include <string>
+
+#include "rectilin/base/system_reason.h"
 
 namespace rectilin {
 
@@ -23,12 +26,13 @@ std::vector<Json> recover_journal(const std::filesystem::path& file) {
 }
 
 Journal::Journal(const std::filesystem::path& file) : file_(file), stream_(file, std::ios::app | std::ios::binary) {
-  if (!stream_) throw std::runtime_error(file.string() + ": cannot be written");
+  if (!stream_) throw std::runtime_error(file.string() + ": cannot be written: " + system_reason(errno));
 }
 
 void Journal::append(const Json& value) {
+  errno = 0;
   stream_ << to_text(value) + '\n' << std::flush;
-  if (!stream_) throw std::runtime_error(file_.string() + ": cannot be written (is the disk full?)");
+  if (!stream_) throw std::runtime_error(file_.string() + ": cannot be written: " + system_reason(errno));
 }
 
 }  // namespace rectilin

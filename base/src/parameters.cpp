@@ -32,8 +32,6 @@ bool is_integer_within(const Json& value, double lower, double upper) {
   return x >= lower && x <= upper && x == static_cast<double>(static_cast<long long>(x));
 }
 
-/// A value as it stands in a message, whatever bytes somebody typed.
-
 }  // namespace
 
 std::string to_text(const Json& value, int indent) {

@@ -40,7 +40,7 @@ struct Face {
 };
 
 /// Half the cross products of two edges, over their total length.
-std::vector<Face> area_vectors_of(const Mesh& mesh) {
+std::vector<Face> area_vectors_of(const MeshView& mesh) {
   std::vector<Extended3> vectors;
   long double total = 0;
   for (const Triangle& t : mesh.triangles) {
@@ -196,7 +196,7 @@ double value_at(const std::vector<Face>& faces, const Matrix3& r) {
   return static_cast<double>(sum) + 1e-11;  // the nearest true rotation may differ by the tolerance above
 }
 
-Verdict check(const Json& json, const Mesh& mesh) {
+Verdict check(const Json& json, const MeshView& mesh) {
   if (!json.is_object() || json.value("format", "") != "rectilin certificate") refuse("this is not a certificate");
   if (json.value("version", 0) != 1) refuse("the certificate's version is not 1");
   for (const char* key : {"mesh", "rotation", "value", "lower", "tree", "directions", "leaves"})
@@ -233,7 +233,7 @@ Verdict check(const Json& json, const Mesh& mesh) {
 
 }  // namespace
 
-std::string mesh_digest(const Mesh& mesh) {
+std::string mesh_digest(const MeshView& mesh) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const Triangle& triangle : mesh.triangles)
     for (const std::uint32_t corner : triangle)
@@ -246,7 +246,7 @@ std::string mesh_digest(const Mesh& mesh) {
   return text;
 }
 
-Verdict verify_certificate(std::string_view text, const Mesh& mesh) {
+Verdict verify_certificate(std::string_view text, const MeshView& mesh) {
   Verdict verdict;
   try {
     return check(Json::parse(text), mesh);

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "rectilin/base/printable.h"
 #include "rectilin/report/html.h"
 
 namespace rectilin::report {
@@ -11,7 +12,7 @@ namespace {
 
 constexpr int kWidth = 140, kPicture = 132, kHeight = 174,
               kLine = 14;          // of a cell and the picture in it, in pixels
-constexpr std::size_t kName = 22;  // characters that there is room for
+constexpr std::size_t kName = 22;  // columns of text that there is room for
 
 /// RFC 4648, section 4.
 std::string base64(std::string_view bytes) {
@@ -26,19 +27,11 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-/// Long names keep their ends. Never begins within a character of several bytes (UTF-8).
-std::string shortened(const std::string& name) {
-  if (name.size() <= kName) return name;
-  std::size_t start = name.size() - kName + 2;
-  while (start < name.size() && (static_cast<unsigned char>(name[start]) & 0xC0) == 0x80) ++start;
-  return ".." + name.substr(start);
-}
-
 /// In one line or, if it does not fit and has a comma, in two.
 std::vector<std::string> lines(const std::string& name) {
   const std::size_t comma = name.find(", ");
-  if (name.size() <= kName || comma == std::string::npos) return {shortened(name)};
-  return {shortened(name.substr(0, comma)), shortened(name.substr(comma + 2))};
+  if (width(printable(name)) <= kName || comma == std::string::npos) return {shortened_to_end(name, kName)};
+  return {shortened_to_end(name.substr(0, comma), kName), shortened_to_end(name.substr(comma + 2), kName)};
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "rectilin/base/printable.h"
 #include "rectilin/base/whole_file.h"
 
 namespace rectilin {
@@ -25,12 +26,13 @@ void Csv::row(const std::vector<Cell>& cells) {
 void Csv::line(const std::vector<std::string>& cells) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (i > 0) text_ += ',';
-    if (cells[i].find_first_of(",\"\r\n") == std::string::npos) {
-      text_ += cells[i];
+    const std::string cell = printable(cells[i]);
+    if (cell.find_first_of(",\"") == std::string::npos) {
+      text_ += cell;
       continue;
     }
     text_ += '"';
-    for (const char c : cells[i]) text_ += c == '"' ? std::string("\"\"") : std::string(1, c);
+    for (const char c : cell) text_ += c == '"' ? std::string("\"\"") : std::string(1, c);
     text_ += '"';
   }
   text_ += '\n';

@@ -1,5 +1,9 @@
 #include "rectilin/report/html.h"
 
+#include <algorithm>
+
+#include "rectilin/base/printable.h"
+
 namespace rectilin::html {
 namespace {
 
@@ -63,7 +67,7 @@ std::string cells(const std::vector<std::string>& contents, const std::string& t
 
 std::string escape(std::string_view text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : printable(text)) {
     switch (c) {
       case '&':
         result += "&amp;";
@@ -83,6 +87,19 @@ std::string escape(std::string_view text) {
       default:
         result += c;
     }
+  }
+  return result;
+}
+
+std::string escape_lines(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t size = std::min(text.find('\n'), text.size());
+    result += escape(text.substr(0, size));
+    text.remove_prefix(size);
+    if (text.empty()) break;
+    result += '\n';
+    text.remove_prefix(1);
   }
   return result;
 }

@@ -11,12 +11,13 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <mutex>
 #include <set>
 #include <sstream>
 
+#include "rectilin/base/printable.h"
+#include "rectilin/base/system_reason.h"
 #include "rectilin/base/whole_file.h"
 
 extern char** environ;
@@ -28,20 +29,26 @@ constexpr std::array<const char*, LineStyle::kColours> kPalette = {"#0072b2", "#
                                                                    "#e69f00", "#56b4e9", "#000000", "#b5a900"};
 constexpr std::array<const char*, LineStyle::kDashes> kDashes = {"", "9,4", "2,3", "9,3,2,3", "16,4", "5,3,5,3,1,3"};
 
-constexpr std::size_t kLegend = 26, kPanelTitle = 30, kRowName = 30;  // characters that there is room for
+constexpr std::size_t kLegend = 26, kPanelTitle = 30, kRowName = 30,
+                      kTitle = 64;  // columns of text that there is room for
 
-/// A gnuplot string; nothing in it is special between single quotes but these.
-std::string quoted(const std::string& text) {
+/// Stands for the figure's name in its commands until that is known. No text that is shown can contain it: all of that
+/// is made printable.
+constexpr char kName = '\x01';
+const std::string kData = std::string("'") + kName + ".csv'";
+
+/// A gnuplot string; nothing in printable text is special between single quotes but these.
+std::string gnuplot_string(const std::string& text) {
   std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c == '\n' ? ' ' : c);
+  for (const char c : printable(text)) result += c == '\'' ? std::string("''") : std::string(1, c);
   return result + "'";
 }
 
-/// Long names keep their ends, where they differ.
-std::string shortened(const std::string& text, std::size_t longest) {
-  if (text.size() <= longest) return text;
-  const std::size_t head = longest * 3 / 5, tail = longest - head - 2;
-  return text.substr(0, head) + ".." + text.substr(text.size() - tail);
+/// The same for a label of a tic, which gnuplot takes for a format of the tic's number.
+std::string tic_string(const std::string& text) {
+  std::string format;
+  for (const char c : text) format += c == '%' ? std::string("%%") : std::string(1, c);
+  return gnuplot_string(format);
 }
 
 std::string line(const LineStyle& style, double width) {
@@ -54,11 +61,11 @@ std::string line(const LineStyle& style, double width) {
 
 std::string terminal(Plot::Size size, int font) {
   std::ostringstream text;
-  text << "# Draws @NAME@.svg from @NAME@.csv: gnuplot @NAME@.gp\n"
+  text << "# Draws " << kName << ".svg from " << kName << ".csv: gnuplot " << kName << ".gp\n"
        << "reset session\nset encoding utf8\n"
        << "set terminal svg size " << size.width << ',' << size.height << " dynamic font 'sans-serif," << font
        << "' background rgb 'white' name 'figure'\n"
-       << "set output '@NAME@.svg'\n"
+       << "set output '" << kName << ".svg'\n"
        << "set datafile separator comma\nset datafile missing ''\n";
   return text.str();
 }
@@ -67,7 +74,7 @@ std::string axis(const char* name, const Axis& a, bool small) {
   std::ostringstream text;
   if (!a.label.empty())
     // The empty line below the label keeps the legend away from it.
-    text << "set " << name << "label " << quoted(a.label)
+    text << "set " << name << "label " << gnuplot_string(a.label)
          << (*name == 'x' ? ".\"\\n\" noenhanced offset 0,0.5\n" : " noenhanced\n");
   else text << "unset " << name << "label\n";
   text << (a.logarithmic ? "set" : "unset") << " logscale " << name << "\n";
@@ -90,19 +97,18 @@ std::string plot(const Panel& panel, double width) {
   const auto next = [&] { text << separator, separator = ", \\\n     "; };
   for (const auto& band : panel.bands) {
     next();
-    text << "'@NAME@.csv' skip 1 using " << band.x << ':' << band.low << ':' << band.high
-         << " with filledcurves fc rgb '" << hex_colour(band.style.colour)
-         << "' fs transparent solid 0.2 noborder notitle";
+    text << kData << " skip 1 using " << band.x << ':' << band.low << ':' << band.high << " with filledcurves fc rgb '"
+         << hex_colour(band.style.colour) << "' fs transparent solid 0.2 noborder notitle";
   }
   for (const auto& curve : panel.curves) {
     next();
-    text << "'@NAME@.csv' skip 1 using " << curve.x << ':' << curve.y << " with "
+    text << kData << " skip 1 using " << curve.x << ':' << curve.y << " with "
          << (curve.steps    ? "steps "
              : curve.points ? "linespoints pt 7 ps 0.6 "
                             : "lines ")
          << (curve.faint ? "lc rgb '#c8c8c8' lw 1 dt solid" : line(curve.style, width));
     if (curve.label.empty()) text << " notitle";
-    else text << " title " << quoted(shortened(curve.label, kLegend)) << " noenhanced";
+    else text << " title " << gnuplot_string(shortened(curve.label, kLegend)) << " noenhanced";
   }
   text << '\n';
   return text.str();
@@ -110,7 +116,7 @@ std::string plot(const Panel& panel, double width) {
 
 /// Three entries a line of the legend or, if their names are long, two.
 int legend_columns(const Panel& panel) {
-  return std::ranges::any_of(panel.curves, [](const auto& curve) { return curve.label.size() > 14; }) ? 2 : 3;
+  return std::ranges::any_of(panel.curves, [](const auto& curve) { return width(curve.label) > 14; }) ? 2 : 3;
 }
 
 int rows_of(std::size_t count, int columns) { return (static_cast<int>(count) + columns - 1) / columns; }
@@ -124,7 +130,7 @@ Plot::Size size_of(const std::vector<Panel>& panels, int columns) {
 std::string single(const std::string& title, const Panel& panel, Plot::Size size) {
   const int columns = legend_columns(panel);
   std::ostringstream text;
-  text << terminal(size, 13) << "set title " << quoted(title) << " noenhanced\n"
+  text << terminal(size, 13) << "set title " << gnuplot_string(shortened(title, kTitle)) << " noenhanced\n"
        << "set key bmargin center horizontal Left reverse samplen 2.5 font ',11' maxcols " << columns << " noenhanced\n"
        << "set grid lc rgb '#e0e0e0' lw 1\nset border 3\nset tics nomirror\n"
        << axis("x", panel.x, false) << axis("y", panel.y, false) << plot(panel, 2.2);
@@ -134,10 +140,11 @@ std::string single(const std::string& title, const Panel& panel, Plot::Size size
 std::string grid(const std::string& title, const std::vector<Panel>& panels, int columns, Plot::Size size) {
   std::ostringstream text;
   text << terminal(size, 12) << "set multiplot layout " << rows_of(panels.size(), columns) << ',' << columns
-       << " title " << quoted(title) << " noenhanced\nunset key\nset tmargin 2.6\nset bmargin 3.3\nset rmargin 2\n"
+       << " title " << gnuplot_string(shortened(title, kTitle))
+       << " noenhanced\nunset key\nset tmargin 2.6\nset bmargin 3.3\nset rmargin 2\n"
        << "set grid lc rgb '#e8e8e8' lw 1\nset border 3\nset tics nomirror\n";
   for (const Panel& panel : panels)
-    text << "set title " << quoted(shortened(panel.title, kPanelTitle)) << " noenhanced offset 0,-0.5\n"
+    text << "set title " << gnuplot_string(shortened(panel.title, kPanelTitle)) << " noenhanced offset 0,-0.5\n"
          << axis("x", panel.x, true) << axis("y", panel.y, true) << plot(panel, 2);
   text << "unset multiplot\n";
   return text.str();
@@ -151,7 +158,7 @@ struct Margins {
 Margins margins(const HeatMap& map) {
   const auto longest = [](const std::vector<std::string>& names) {
     std::size_t length = 1;
-    for (const std::string& name : names) length = std::max(length, std::min(name.size(), kRowName));
+    for (const std::string& name : names) length = std::max(length, std::min(width(printable(name)), kRowName));
     return static_cast<int>(length);
   };
   return {7 * longest(map.rows) + 20, 5 * longest(map.columns) + 30};
@@ -167,7 +174,7 @@ Plot::Size size_of(const HeatMap& map) {
 std::string heat_map(const HeatMap& map, Plot::Size size) {
   const Margins margin = margins(map);
   std::ostringstream text;
-  text << terminal(size, 13) << "set title " << quoted(map.title) << " noenhanced\nunset key\n"
+  text << terminal(size, 13) << "set title " << gnuplot_string(map.title) << " noenhanced\nunset key\n"
        << "set lmargin at screen " << static_cast<double>(margin.left) / size.width << "\nset rmargin at screen "
        << 1 - static_cast<double>(margin.right) / size.width << "\nset bmargin at screen "
        << static_cast<double>(margin.bottom) / size.height << "\nset tmargin at screen "
@@ -176,15 +183,15 @@ std::string heat_map(const HeatMap& map, Plot::Size size) {
        << "set colorbox user origin screen " << 1 - (margin.right - 12.0) / size.width << ','
        << static_cast<double>(margin.bottom) / size.height << " size screen " << 14.0 / size.width << ','
        << 1 - static_cast<double>(margin.bottom + margin.top) / size.height << "\n"
-       << "set cblabel " << quoted(map.scale) << " noenhanced\nset border lc rgb '#808080'\n"
+       << "set cblabel " << gnuplot_string(map.scale) << " noenhanced\nset border lc rgb '#808080'\n"
        << "set xrange [-0.5:" << static_cast<double>(map.columns.size()) - 0.5 << "]\nset yrange ["
        << static_cast<double>(map.rows.size()) - 0.5
        << ":-0.5]\nset tics scale 0 textcolor rgb 'black' noenhanced\nset xtics rotate by 40 right (";
   for (std::size_t i = 0; i < map.columns.size(); ++i)
-    text << (i > 0 ? ", " : "") << quoted(shortened(map.columns[i], kRowName)) << ' ' << i;
+    text << (i > 0 ? ", " : "") << tic_string(shortened(map.columns[i], kRowName)) << ' ' << i;
   text << ")\nset ytics (";
   for (std::size_t i = 0; i < map.rows.size(); ++i)
-    text << (i > 0 ? ", " : "") << quoted(shortened(map.rows[i], kRowName)) << ' ' << i;
+    text << (i > 0 ? ", " : "") << tic_string(shortened(map.rows[i], kRowName)) << ' ' << i;
   text << ")\n";
   double least = INFINITY, largest = -INFINITY;
   for (const auto& row : map.values)
@@ -195,7 +202,7 @@ std::string heat_map(const HeatMap& map, Plot::Size size) {
   const std::size_t n = map.columns.size();
   const double middle = least + 0.6 * (largest - least);
   text << "cell(c) = valid(c) ? column(c) : NaN\n"
-       << "plot for [c=2:" << n + 1 << "] '@NAME@.csv' skip 1 using (c-2):0:(0.49):(0.49):(cell(c)) with boxxyerror "
+       << "plot for [c=2:" << n + 1 << "] " << kData << " skip 1 using (c-2):0:(0.49):(0.49):(cell(c)) with boxxyerror "
        << "fs solid noborder lc palette, \\\n"
        << "     for [c=2:" << n + 1 << "] '' skip 1 using (c-2):0:(cell(c) < " << middle
        << " ? sprintf('%.1f', cell(c)) : '') with labels tc rgb 'black', \\\n"
@@ -204,21 +211,73 @@ std::string heat_map(const HeatMap& map, Plot::Size size) {
   return text.str();
 }
 
-std::string with_name(std::string text, const std::string& name) {
-  constexpr std::string_view kPlace = "@NAME@";
-  for (std::size_t at = 0; (at = text.find(kPlace, at)) != std::string::npos; at += name.size())
-    text.replace(at, kPlace.size(), name);
-  return text;
+std::string with_name(const std::string& text, const std::string& name) {
+  std::string result;
+  for (const char c : text) result += c == kName ? name : std::string(1, c);
+  return result;
 }
 
-std::string first_message(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  for (std::string text; std::getline(in, text);)  // the message stands below the offending line and a caret
+/// What gnuplot says goes wrong, in one line: the message stands below the offending line and a caret.
+std::string message_in(const std::string& said) {
+  std::istringstream in(said);
+  std::string last;
+  for (std::string text; std::getline(in, text);) {
     if (text.find(" line ") != std::string::npos) return text;
-  return "it failed";
+    if (text.find_first_not_of(" \t\r^") != std::string::npos) last = text;
+  }
+  return last;
+}
+
+/// How a program that was run ended.
+struct Ended {
+  int status = 0;    ///< as waitpid() has it
+  std::string said;  ///< on standard error
+};
+
+/// Runs gnuplot on a file in a folder. It knows no settings of the user's (-d), which would draw something else. Throws
+/// PlotError if it cannot be run.
+Ended run_gnuplot(const std::filesystem::path& folder, const std::string& script) {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) throw PlotError("gnuplot: " + system_reason(errno));
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+  std::string program = "gnuplot", option = "-d", file = script;
+  char* arguments[] = {program.data(), option.data(), file.data(), nullptr};
+  pid_t child = 0;
+  const int problem = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments, environ);
+  posix_spawn_file_actions_destroy(&actions);
+  close(ends[1]);
+  Ended ended;
+  char buffer[4096];
+  for (ssize_t got = 0;
+       problem == 0 && ((got = read(ends[0], buffer, sizeof buffer)) > 0 || (got < 0 && errno == EINTR));)
+    if (got > 0 && ended.said.size() < 100'000) ended.said.append(buffer, static_cast<std::size_t>(got));
+  close(ends[0]);
+  if (problem == ENOENT) throw NoGnuplot();
+  if (problem != 0) throw PlotError("gnuplot: " + system_reason(problem));
+  while (waitpid(child, &ended.status, 0) < 0 && errno == EINTR) {
+  }
+  return ended;
+}
+
+/// Whether a file is a whole SVG picture.
+bool is_picture(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary | std::ios::ate);
+  if (!in) return false;
+  const std::streamoff size = in.tellg(), tail = std::min<std::streamoff>(size, 64);
+  std::string end(static_cast<std::size_t>(tail), '\0');
+  in.seekg(size - tail);
+  in.read(end.data(), tail);
+  return end.find("</svg>") != std::string::npos;
 }
 
 }  // namespace
+
+NoGnuplot::NoGnuplot() : PlotError("gnuplot is not installed: there are no pictures (Debian: gnuplot-nox)") {}
 
 std::string hex_colour(int colour) { return kPalette[static_cast<std::size_t>(colour) % kPalette.size()]; }
 
@@ -238,42 +297,41 @@ void Plot::write(const std::filesystem::path& folder, const std::string& name) c
 }
 
 void draw(const std::filesystem::path& folder, const std::string& name) {
-  const std::string script = name + ".gp", log = name + ".log";
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  std::string program = "gnuplot", file = script;
-  char* arguments[] = {program.data(), file.data(), nullptr};
-  pid_t child = 0;
-  const int problem = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments, environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (problem != 0) {
-    std::filesystem::remove(folder / log);
-    throw PlotError(problem == ENOENT ? "gnuplot is not installed: there are no pictures (Debian: gnuplot-nox)"
-                                      : std::string("gnuplot: ") + std::strerror(problem));
-  }
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  const std::string message = WIFEXITED(status) && WEXITSTATUS(status) == 0 ? "" : first_message(folder / log);
-  std::filesystem::remove(folder / log);
-  if (!message.empty()) throw PlotError("gnuplot: " + message);
+  const std::filesystem::path picture = folder / (name + ".svg");
+  std::error_code ignored;
+  std::filesystem::remove(picture, ignored);  // an old one would pass for this one
+  const Ended ended = run_gnuplot(folder, name + ".gp");
+  const std::string message = message_in(ended.said);
+  std::string reason;
+  if (WIFSIGNALED(ended.status)) reason = "it was ended by signal " + std::to_string(WTERMSIG(ended.status));
+  else if (WEXITSTATUS(ended.status) != 0) reason = message.empty() ? "it failed" : message;
+  else if (!is_picture(picture)) reason = message.empty() ? "it made no picture" : message;
+  if (reason.empty()) return;
+  std::filesystem::remove(picture, ignored);
+  throw PlotError(picture.string() + ": gnuplot: " + reason);
 }
 
-std::vector<std::string> draw_all(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+PictureTroubles draw_all(const std::filesystem::path& folder, const std::vector<std::string>& names) {
   std::mutex mutex;
-  std::set<std::string> troubles;
+  std::set<std::string> lines;
+  bool failed = false;
   tbb::parallel_for_each(names, [&](const std::string& name) {
+    std::string trouble;
+    bool missing = false;
     try {
       draw(folder, name);
+      return;
+    } catch (const NoGnuplot& e) {
+      missing = true;
+      trouble = e.what();
     } catch (const PlotError& e) {
-      const std::lock_guard lock(mutex);
-      troubles.insert(e.what());
+      trouble = e.what();
     }
+    const std::lock_guard lock(mutex);
+    lines.insert(trouble);
+    failed = failed || !missing;
   });
-  return {troubles.begin(), troubles.end()};
+  return {{lines.begin(), lines.end()}, failed};
 }
 
 }  // namespace rectilin

@@ -125,7 +125,7 @@ TEST_CASE("an optimizer made from its own parameters is the same", "[optimizers]
 }
 
 TEST_CASE("the registry names what it does not know", "[optimizers]") {
-  REQUIRE_THROWS_WITH(all_optimizers().make("gaa"), Catch::StartsWith("no optimizer 'gaa'; there are ga"));
+  REQUIRE_THROWS_WITH(all_optimizers().make("gaa"), Catch::StartsWith("no optimizer 'gaa'; did you mean 'ga'? There are ga, "));
   REQUIRE_THROWS_AS(all_optimizers().make("ga?population=1"), ParameterError);
   REQUIRE_THROWS_AS(all_optimizers().make("ga?population=10&elitism=10"), ParameterError);
 }

@@ -9,7 +9,7 @@ for name in $names; do
   grep -qx "$name" out || fail "$name is listed"
 done
 expect 0 'fig15\?steps' "$rectilin" experiment --help
-expect 2 "no experiment 'fig99'; there are fig1" "$rectilin" experiment fig99
+expect 2 "no experiment 'fig99'; did you mean 'fig9'" "$rectilin" experiment fig99
 expect 2 "fig15.*stepz" "$rectilin" experiment 'fig15?stepz=3'
 expect 2 'takes no others' "$rectilin" experiment fig15 shape:box
 expect 2 'one experiment at a time' "$rectilin" experiment all shape:box
@@ -48,8 +48,7 @@ expect 0 'gnuplot is not installed' env PATH="$work/nothing" "$rectilin" experim
 [ "$(wc -l <err)" -eq 1 ] && [ -s bare/index.html ] && [ -s bare/fig15-meshes.svg ] || fail "one line, and the rest"
 
 # Ctrl-C: status 1 and one line.
-"$rectilin" experiment 'fig13?runs=10000' --out long >out 2>err &
-pid=$!
+begin "$rectilin" experiment 'fig13?runs=10000' --out long
 sleep 0.5
 kill -INT $pid
 wait $pid

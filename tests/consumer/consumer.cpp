@@ -1,17 +1,12 @@
-// What another project writes to use the installed libraries: a mesh in, R(M) and the pose out.
-#include <cmath>
+// What another project writes to use the installed libraries: a mesh in, R(M), its proof and its pose out.
 #include <cstdio>
 
-#include "rectilin/measure/projected_area.h"
+#include "rectilin/measure/measure.h"
 #include "rectilin/mesh/shapes.h"
-#include "rectilin/optim/registry.h"
-#include "rectilin/optim/run_record.h"
 
 int main() {
-  const rectilin::Mesh mesh = rectilin::make_shape(rectilin::Spec::parse("box"));
-  const rectilin::ProjectedArea objective(rectilin::area_vectors(mesh));
-  const auto optimizer = rectilin::builtin_optimizers().make("grid");
-  const rectilin::RunRecord record = rectilin::run_optimizer(*optimizer, objective, {});
-  std::printf("R = %.6f\n", record.merit);
-  return std::abs(record.merit - 1) < 1e-9 ? 0 : 1;
+  const rectilin::Mesh mesh = rectilin::make_shape(rectilin::Spec::parse("pyramid"));
+  const rectilin::Rectilinearity r = rectilin::measure(mesh);
+  std::printf("R = %.6f, between %.6f and %.6f\n", r.value, r.bounds->lower, r.bounds->upper);
+  return r.bounds->lower <= 0.4270509832 && 0.4270509831 <= r.bounds->upper ? 0 : 1;
 }

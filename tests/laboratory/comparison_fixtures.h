@@ -12,35 +12,24 @@ struct NoOptions {
 };
 
 /// Proves what is known of the built-in box and pyramid: the pose they are made in is the best one.
-class KnownOptimum final : public OptimizerWith<NoOptions> {
- public:
-  using Options = NoOptions;
-  static constexpr const char* kName = "known";
-  explicit KnownOptimum(Options options = {}) : OptimizerWith(options) {}
-  std::string name() const override { return kName; }
-  Capabilities capabilities() const override { return {.uses_domain = false, .uses_random = false, .certifies = true}; }
-  void run(Evaluator& evaluator, const Domain&, Random&) const override {
-    evaluator.raise_lower_bound(evaluator.value(Rotation()) * (1 - 1e-11));
-  }
-};
+inline void known_optimum(const NoOptions&, Evaluator& evaluator, const Domain&, Random&) {
+  evaluator.raise_lower_bound(evaluator.value(Rotation()) * (1 - 1e-11));
+}
 
 /// Throws after a few evaluations.
-class Crash final : public OptimizerWith<NoOptions> {
- public:
-  using Options = NoOptions;
-  static constexpr const char* kName = "crash";
-  explicit Crash(Options options = {}) : OptimizerWith(options) {}
-  std::string name() const override { return kName; }
-  Capabilities capabilities() const override { return {.uses_domain = false}; }
-  void run(Evaluator& evaluator, const Domain&, Random& random) const override {
-    for (int i = 0; i < 3; ++i) evaluator.value(random_rotation(random));
-    throw std::runtime_error("it <crashed>");
-  }
-};
+inline void crash(const NoOptions&, Evaluator& evaluator, const Domain&, Random& random) {
+  for (int i = 0; i < 3; ++i) evaluator.value(random_rotation(random));
+  throw std::runtime_error("it <crashed>");
+}
 
 inline Registry test_registry() {
   Registry registry = all_optimizers();
-  registry.add<KnownOptimum>("").add<Crash>("");
+  registry.add(GlobalMethod<NoOptions>{.name = "known",
+                                       .help = "",
+                                       .capabilities = {.uses_domain = false, .uses_random = false, .certifies = true},
+                                       .run = known_optimum});
+  registry.add(
+      GlobalMethod<NoOptions>{.name = "crash", .help = "", .capabilities = {.uses_domain = false}, .run = crash});
   return registry;
 }
 

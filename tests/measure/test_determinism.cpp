@@ -38,7 +38,7 @@ RunRecord run_on_threads(int threads, const Optimizer& optimizer, const Objectiv
 void require_same(const RunRecord& a, const RunRecord& b) {
   REQUIRE(a.digest == b.digest);
   REQUIRE(a.costs.evaluations() == b.costs.evaluations());
-  REQUIRE(a.lower == b.lower);
+  REQUIRE(a.value_bound == b.value_bound);
   REQUIRE(a.trace.size() == b.trace.size());
   for (std::size_t i = 0; i < a.trace.size(); ++i) {
     REQUIRE(a.trace[i].evaluations == b.trace[i].evaluations);

@@ -14,7 +14,7 @@ namespace {
 
 double measured(const Mesh& mesh) {
   const ProjectedArea objective(area_vectors(mesh));
-  return run_optimizer(Certify(), objective, {}).merit;
+  return run_optimizer(*make_optimizer(certify_method()), objective, {}).merit;
 }
 
 Mesh shape(const char* spec) { return make_shape(Spec::parse(spec)); }

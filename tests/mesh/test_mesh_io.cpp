@@ -247,7 +247,7 @@ TEST_CASE("PLY: errors name the line or the byte") {
   CHECK(error(ply, head + kTriangle + "3 0 1 3\n") == "m:line 13: vertex index 3, but there are 3 vertices");
   CHECK(error(ply, head + kTriangle + "3 0 1 -1\n") == "m:line 13: vertex index -1, but there are 3 vertices");
   CHECK(error(ply, head + kTriangle + "3 0 1 1.5\n") == "m:line 13: a list's length or an index is not an integer");
-  CHECK(error(ply, head + kTriangle + "3 0 1\n") == "m:line 13: expected a number, found the end of the line");
+  CHECK(error(ply, head + kTriangle + "3 0 1\n") == "m:line 13: expected a number, found the end of the file");
   CHECK(error(ply, head + kTriangle + "3 0 1 2 3\n") == "m:line 13: expected the end of the line, found '3'");
   CHECK(error(ply, head + kTriangle + "-1 0 1 2\n") == "m:line 13: a list of negative length");
   const std::string binary =
@@ -442,11 +442,11 @@ TEST_CASE("the content decides the format, else the extension") {
 TEST_CASE("files that cannot be read or written give one clear error") {
   const TemporaryFolder folder;
   const auto path = [&](const char* name) { return (folder.path / name).string(); };
-  CHECK_THROWS_WITH(read_mesh(folder.path), folder.path.string() + ": not a regular file");
-  CHECK_THROWS_WITH(read_mesh(folder.path / "none.off"), path("none.off") + ": no such file");
+  CHECK_THROWS_WITH(read_mesh(folder.path), folder.path.string() + ": is a directory");
+  CHECK_THROWS_WITH(read_mesh(folder.path / "none.off"), path("none.off") + ": no such file or directory");
   CHECK_THROWS_WITH(read_mesh(folder.write("empty.stl", "")), path("empty.stl") + ": the file is empty");
   const Mesh mesh = obj("v 0 0 0\nv 1 0 0\nv 0 1e39 0\nf 1 2 3\n").mesh;
-  CHECK_THROWS_WITH(write_mesh(folder.path / "none" / "a.off", mesh), path("none/a.off") + ": cannot be written");
+  CHECK_THROWS_WITH(write_mesh(folder.path / "none" / "a.off", mesh), path("none/a.off") + ": cannot be written: no such file or directory");
   CHECK_THROWS_WITH(write_mesh(folder.path / "a.xyz", mesh),
                     path("a.xyz") + ": the extension is none of .off, .obj, .ply, .stl");
   CHECK_THROWS_WITH(write_mesh(folder.path / "a.stl", mesh),

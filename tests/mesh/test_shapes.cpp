@@ -350,7 +350,7 @@ TEST_CASE("rotate turns the shape by a proper rotation", "[shapes]") {
 
 TEST_CASE("every listed shape is made by its name, with defaults as described", "[shapes]") {
   std::set<std::string> names;
-  for (const auto& info : list_shapes()) {
+  for (const auto& info : shape_table().entries()) {
     INFO(info.name);
     CHECK(names.insert(info.name).second);
     CHECK_FALSE(info.help.empty());

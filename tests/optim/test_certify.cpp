@@ -108,14 +108,14 @@ TEST_CASE("searches do not beat the certificate", "[certify]") {
   Random random(11);
   for (int trial = 0; trial < 12; ++trial) {
     const ProjectedArea objective(area_vectors(test::random_mesh(random, 4 << (trial / 2))));
-    const RunRecord proof = run_optimizer(Certify(), objective, {});
+    const RunRecord proof = run_optimizer(*make_optimizer(certify_method()), objective, {});
     REQUIRE(proof.outcome == RunRecord::Outcome::kFinished);
     Evaluator evaluator(objective);
     for (int start = 0; start < 50; ++start) {
       Rotation rotation = random_rotation(random);
       for (int k = 0; k < 9; ++k) evaluator.turn(rotation, k % 3);
     }
-    REQUIRE(evaluator.incumbent().value >= *proof.lower);
+    REQUIRE(evaluator.incumbent().value >= *proof.value_bound);
     REQUIRE(evaluator.incumbent().value >= proof.incumbent.value - 1e-6);
   }
 }
@@ -125,10 +125,10 @@ TEST_CASE("certify gives the same bits for any number of threads", "[certify]") 
   std::optional<RunRecord> first;
   for (const std::size_t threads : {1, 2, 8}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    const RunRecord record = run_optimizer(Certify(), objective, {});
+    const RunRecord record = run_optimizer(*make_optimizer(certify_method()), objective, {});
     if (!first) first = record;
     REQUIRE(record.digest == first->digest);
-    REQUIRE(*record.lower == *first->lower);
+    REQUIRE(*record.value_bound == *first->value_bound);
     REQUIRE(record.incumbent.rotation.matrix() == first->incumbent.rotation.matrix());
     REQUIRE(record.costs.cuts == first->costs.cuts);
   }

@@ -172,7 +172,7 @@ TEST_CASE("the optimum on the paper's box is enclosed", "[claims]") {
     const Enclosure on_box = enclose_on_paper_box(*tested.objective);
     REQUIRE(on_box.greatest_r() - on_box.least_r() < 1.1e-6);
     REQUIRE(in_paper_box(on_box.rotation));
-    REQUIRE(ratio_at(*tested.objective, on_box.rotation) == Approx(on_box.found).margin(1e-11));
+    REQUIRE(tested.objective->value(on_box.rotation) == Approx(on_box.found).margin(1e-11));
     if (in_paper_box(tested.best.rotation)) REQUIRE(on_box.least_r() == Approx(tested.best.least_r()).margin(1e-5));
     // No node of a grid is better than the bound.
     std::vector<Rotation> grid;
@@ -229,7 +229,7 @@ TEST_CASE("the standard error of deletion is that of many deletions", "[claims]"
   double sum = 0, squares = 0;
   for (std::uint64_t i = 0; i < kSamples; ++i) {
     const ProjectedArea rest(area_vectors(without_faces(*blob.mesh, 0.9, Random(i))));
-    const double r = rectilinearity(ratio_at(rest, blob.best.rotation));
+    const double r = rectilinearity(rest.value(blob.best.rotation));
     sum += r;
     squares += r * r;
   }

@@ -23,7 +23,7 @@ ExperimentResult run(const char* text, std::vector<std::string> meshes = {}) {
   ExperimentContext context;
   context.meshes = std::move(meshes);
   context.gap = 1e-4;
-  return find_experiment(spec.name).run(spec.settings, context);
+  return find_experiment(spec.name).make(spec.settings, context);
 }
 
 std::vector<double> values(const ExperimentResult& result) {
@@ -53,10 +53,10 @@ TEST_CASE("Experiments have names of their own, and quick settings they accept",
   for (const Experiment& experiment : experiments()) {
     CHECK(names.insert(experiment.name).second);
     CHECK(&find_experiment(experiment.name) == &experiment);
-    CHECK_FALSE(experiment.title.empty());
+    CHECK_FALSE(experiment.help.empty());
     for (const auto& [key, value] : experiment.quick.items())
       CHECK(std::ranges::any_of(experiment.parameters, [key = key](const auto& p) { return p.name == key; }));
-    CHECK_THROWS_AS(experiment.run({{"no such setting", 1}}, {}), ParameterError);
+    CHECK_THROWS_AS(experiment.make({{"no such setting", 1}}, {}), ParameterError);
   }
   CHECK_THROWS_AS(find_experiment("fig99"), ParameterError);
 }
@@ -165,7 +165,7 @@ TEST_CASE("Experiments are the same for any number of threads, and the seed matt
     context.meshes = {"shape:blob?faces=600"};
     context.seed = seed;
     context.gap = 1e-4;
-    return deletion.run({{"runs", 2}}, context);
+    return deletion.make({{"runs", 2}}, context);
   };
   const ExperimentResult many = go(1);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
@@ -180,7 +180,7 @@ TEST_CASE("A stopped experiment throws, and writes nothing", "[experiments]") {
   source.request_stop();
   ExperimentContext context;
   context.stop = source.get_token();
-  CHECK_THROWS_AS(find_experiment("fig15").run(Json::object(), context), Stopped);
+  CHECK_THROWS_AS(find_experiment("fig15").make(Json::object(), context), Stopped);
 }
 
 TEST_CASE("Thumbnails are PNG files, whatever the mesh", "[experiments]") {

@@ -1,7 +1,5 @@
 #include "rectilin/laboratory/comparison.h"
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -9,23 +7,27 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <tuple>
 
+#include "rectilin/base/batch.h"
 #include "rectilin/base/folder_lock.h"
 #include "rectilin/base/journal.h"
 #include "rectilin/base/whole_file.h"
 #include "rectilin/laboratory/provenance.h"
-#include "rectilin/measure/projected_area.h"
+#include "rectilin/measure/measure.h"
 #include "rectilin/measure/verify.h"
 #include "rectilin/mesh/source.h"
-#include "rectilin/optim/run_record.h"
 
 namespace rectilin {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kMeshes = "meshes.jsonl";
+constexpr const char* kRuns = "runs.jsonl";
 
 void store_plan(const Plan& plan, const fs::path& folder) {
   const fs::path file = folder / "plan.json";
@@ -62,6 +64,7 @@ Json trace_json(const RunRecord& record, const Objective& objective) {
 struct Problem {
   std::string name, error;
   std::string digest;  // of the mesh
+  std::size_t faces = 0;
   std::optional<AreaVectors> vectors;
   bool certified = false;
 };
@@ -77,20 +80,18 @@ class Comparison {
  public:
   Comparison(const Plan& plan, const fs::path& folder, const Registry& registry, const ComparisonSettings& settings)
       : plan_(plan),
+        folder_(folder),
         settings_(settings),
-        certifier_(registry.make(plan.certificate)),
-        meshes_(folder / "meshes.jsonl"),
-        runs_(folder / "runs.jsonl") {
+        certifier_(measure_options(plan.certificate, registry)),
+        meshes_(folder / kMeshes),
+        runs_(folder / kRuns) {
     for (const Entry& entry : plan.entries) optimizers_.push_back(registry.make(entry.spec));
   }
 
   ComparisonOutcome go(const std::vector<Json>& known_meshes, const std::vector<Json>& known_runs) {
     for (const std::string& mesh : plan_.meshes) problems_.push_back(load(mesh));
-    for (const Json& line : known_meshes) recall(line);
-    for (const Json& line : known_runs) {
-      done_.emplace(line.at("mesh"), line.at("entry"), line.at("run"));
-      outcome_.failed_runs += line.at("outcome") == to_string(RunRecord::Outcome::kFailed);
-    }
+    for_each_line(folder_ / kMeshes, known_meshes, [&](const Json& line) { recall(line); });
+    for_each_line(folder_ / kRuns, known_runs, [&](const Json& line) { recall_run(line); });
     plan_tasks();
     for (Problem& problem : problems_)
       if (!settings_.stop.stop_requested() && !problem.certified) certify(problem);
@@ -101,15 +102,17 @@ class Comparison {
 
  private:
   Problem load(const std::string& mesh) {
-    Problem problem{mesh, {}, {}, {}};
+    Problem problem;
+    problem.name = mesh;
     show("reading " + mesh);
     try {
-      const Mesh loaded = load_mesh(mesh).mesh;
-      problem.vectors = area_vectors(loaded);
-      problem.digest = mesh_digest(loaded);
+      ComparedMesh loaded = settings_.load(mesh);
+      problem.vectors = std::move(loaded.vectors);
+      problem.digest = std::move(loaded.digest);
+      problem.faces = loaded.faces;
     } catch (const std::exception& e) {
-      problem.error = e.what();
-      outcome_.mesh_errors.push_back(problem.error.starts_with(mesh) ? problem.error : mesh + ": " + problem.error);
+      problem.error = error_about(mesh, e.what());
+      outcome_.mesh_errors.push_back(problem.error);
     }
     return problem;
   }
@@ -117,10 +120,21 @@ class Comparison {
   void recall(const Json& line) {
     for (Problem& problem : problems_) {
       if (problem.name != line.at("mesh")) continue;
-      problem.certified = true;
-      if (problem.vectors && line.value("digest", "") != problem.digest)
+      // A mesh that could not be read then is measured now.
+      problem.certified = !line.contains("error") || !problem.vectors;
+      if (line.contains("error")) continue;
+      if (problem.vectors && line.value("mesh_digest", "") != problem.digest)
         throw ParameterError(problem.name + " has changed since the comparison began; choose another folder");
     }
+  }
+
+  void recall_run(const Json& line) {
+    const std::string mesh = line.at("mesh"), entry = line.at("entry");
+    if (std::ranges::find(plan_.meshes, mesh) == plan_.meshes.end() ||
+        std::ranges::find(plan_.entries, entry, &Entry::label) == plan_.entries.end())
+      throw std::out_of_range("a run of another comparison");
+    done_.emplace(mesh, entry, line.at("run"));
+    outcome_.failed_runs += line.at("outcome") == to_string(RunRecord::Outcome::kFailed);
   }
 
   void plan_tasks() {
@@ -142,17 +156,17 @@ class Comparison {
     show("bounding the optimum of " + problem.name);
     Json line = {{"mesh", problem.name}};
     if (problem.vectors) {
-      const ProjectedArea objective(*problem.vectors, problem.name);
-      RunSettings settings;
-      settings.seed = plan_.seed;
-      settings.stop = settings_.stop;
-      const RunRecord record = run_optimizer(*certifier_, objective, settings);
-      if (record.outcome == RunRecord::Outcome::kStopped) return;
-      line.update({{"faces", problem.vectors->faces},
-                   {"directions", problem.vectors->size()},
-                   {"area", problem.vectors->area()},
-                   {"digest", problem.digest},
-                   {"certificate", to_json(record)}});
+      MeasureOptions options = certifier_;
+      options.run.seed = plan_.seed;
+      options.run.stop = settings_.stop;
+      options.run.on_progress = [this, &problem](const Evaluator& run) {
+        show("bounding the optimum of " + problem.name + " for " + std::to_string(std::lround(run.seconds())) + " s");
+      };
+      Rectilinearity result = measure(ProjectedArea(*problem.vectors, problem.name), options);
+      if (result.run.outcome == RunRecord::Outcome::kStopped) return;
+      result.faces = problem.faces;
+      line["mesh_digest"] = problem.digest;
+      line.update(to_json(result));
     } else {
       line["error"] = problem.error;
     }
@@ -161,27 +175,25 @@ class Comparison {
   }
 
   void run_tasks() {
-    const std::size_t at_once = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     begin_ = std::chrono::steady_clock::now();
     show("");
-    using Finished = std::pair<std::size_t, std::shared_ptr<const Json>>;  // place in tasks_, line
-    std::size_t next = 0;
-    const auto take = [&](tbb::flow_control& flow) {
-      if (next == tasks_.size() || settings_.stop.stop_requested()) flow.stop();
-      return next++;
-    };
-    // An arena of one thread keeps a run's inner loops on the thread that began it, so its times are its own.
+    // Journal lines are written when a run has finished, in whatever order; the results are sorted when they are read.
+    std::vector<std::string> names;
+    for (const Task& task : tasks_) names.push_back(task.entry->label + " on " + task.problem->name);
+    std::mutex writing;
     const auto perform = [&](std::size_t i) {
-      std::shared_ptr<const Json> line;
-      tbb::task_arena(1).execute([&] { line = std::make_shared<Json>(perform_run(tasks_[i])); });
-      return Finished(i, line);
+      // An arena of one thread keeps a run's inner loops on the thread that began it, so its times are its own.
+      tbb::task_arena(1).execute([&] {
+        const Json line = perform_run(tasks_[i]);
+        const std::lock_guard lock(writing);
+        if (!line.is_null()) record_run(tasks_[i], line);
+      });
+      return true;
     };
-    const auto keep = [&](const Finished& finished) {
-      if (!finished.second->is_null()) record_run(tasks_[finished.first], *finished.second);
+    const auto throw_on = [](std::size_t, Outcome<bool>&& run) {
+      if (!run.value) throw std::runtime_error(run.error);  // the journal could not be written
     };
-    tbb::parallel_pipeline(at_once, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, take) &
-                                        tbb::make_filter<std::size_t, Finished>(tbb::filter_mode::parallel, perform) &
-                                        tbb::make_filter<Finished, void>(tbb::filter_mode::serial_out_of_order, keep));
+    for_each_in_order<bool>(names, perform, throw_on, {.stop = settings_.stop});
   }
 
   /// The run's line; null if it was stopped.
@@ -222,8 +234,9 @@ class Comparison {
   }
 
   const Plan& plan_;
+  const fs::path& folder_;
   const ComparisonSettings& settings_;
-  std::unique_ptr<Optimizer> certifier_;
+  MeasureOptions certifier_;
   std::vector<std::unique_ptr<Optimizer>> optimizers_;
   std::vector<Problem> problems_;
   std::set<std::tuple<std::string, std::string, int>> done_;
@@ -237,6 +250,11 @@ class Comparison {
 
 }  // namespace
 
+ComparedMesh load_compared_mesh(const std::string& source) {
+  const Mesh mesh = load_mesh(source).mesh;
+  return {area_vectors(mesh), mesh.triangles.size(), mesh_digest(mesh)};
+}
+
 ComparisonOutcome run_comparison(const Plan& plan, const fs::path& folder, const Registry& registry,
                                  const ComparisonSettings& settings) {
   check(plan, registry);
@@ -244,8 +262,8 @@ ComparisonOutcome run_comparison(const Plan& plan, const fs::path& folder, const
   const FolderLock lock(folder);
   store_plan(plan, folder);
   record_start(plan, registry, folder, settings.command_line);
-  const std::vector<Json> meshes = recover_journal(folder / "meshes.jsonl");
-  const std::vector<Json> runs = recover_journal(folder / "runs.jsonl");
+  const std::vector<Json> meshes = recover_journal(folder / kMeshes);
+  const std::vector<Json> runs = recover_journal(folder / kRuns);
   return Comparison(plan, folder, registry, settings).go(meshes, runs);
 }
 

@@ -47,9 +47,10 @@ Json run_json(const RunResult& run, const std::vector<LoggedPoint>& points) {
             {"x", {q.x() / q.w(), q.y() / q.w(), q.z() / q.w()}}}}};
 }
 
-void export_function(const Results& results, std::size_t mesh, const Entry& entry,
+/// `name` stands for the mesh.
+void export_function(std::size_t mesh, const std::string& name, const Entry& entry,
                      const std::vector<const RunResult*>& runs, const std::filesystem::path& folder) {
-  const std::string id = "f" + std::to_string(mesh + 1), name = slug(results.meshes[mesh].title);
+  const std::string id = "f" + std::to_string(mesh + 1);
   const std::string data_folder = "data_" + id + "_" + name;
   const std::string data_file = data_folder + "/IOHprofiler_" + id + "_DIM3.dat";
   std::string data;
@@ -76,13 +77,16 @@ void export_function(const Results& results, std::size_t mesh, const Entry& entr
 }  // namespace
 
 void export_ioh(const Results& results, const std::filesystem::path& folder) {
+  std::vector<std::string> titles;
+  for (const MeshResult& mesh : results.meshes) titles.push_back(mesh.title);
+  const std::vector<std::string> names = unique_slugs(titles);
   for (std::size_t e = 0; e < results.plan.entries.size(); ++e) {
     const Entry& entry = results.plan.entries[e];
     // Labels may differ in signs only, which a slug drops.
     const std::filesystem::path own = folder / (std::to_string(e + 1) + "-" + slug(entry.label));
     for (std::size_t mesh = 0; mesh < results.meshes.size(); ++mesh) {
       const auto runs = results.of(mesh, e);
-      if (!runs.empty()) export_function(results, mesh, entry, runs, own);
+      if (!runs.empty()) export_function(mesh, names[mesh], entry, runs, own);
     }
   }
 }

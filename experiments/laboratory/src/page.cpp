@@ -87,7 +87,7 @@ std::string comparison_page(const Results& results, const Summary& summary, cons
   body += heading("Failures") + failures_html(results);
   body += heading("Files") + files_html();
   body += heading("Provenance") + html::details("Versions, processor, parameters, seeds, command lines",
-                                                "<pre>" + escape(to_text(provenance, 2)) + "</pre>\n");
+                                                "<pre>" + html::escape_lines(to_text(provenance, 2)) + "</pre>\n");
   return html::page("Comparison of optimizers", body);
 }
 

@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 
+#include "rectilin/base/printable.h"
+
 namespace rectilin {
 namespace {
 
@@ -119,13 +121,32 @@ NamedPlot distribution_plot(const Results& results, const std::string& name, con
 }  // namespace
 
 std::string slug(const std::string& text) {
+  constexpr std::size_t kColumns = 48, kBytes = 120;
   std::string result;
-  for (const char c : text) {
-    if (std::isalnum(static_cast<unsigned char>(c))) result += c;
+  for (const char c : shortened(text, kColumns)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x80 || std::isalnum(byte)) result += c;
     else if (!result.empty() && result.back() != '-') result += '-';
+  }
+  if (result.size() > kBytes) {  // of characters that take many bytes each, or of marks that take no room
+    std::size_t end = kBytes;
+    while (end > 0 && (static_cast<unsigned char>(result[end]) & 0xC0) == 0x80) --end;
+    result.resize(end);
   }
   while (!result.empty() && result.back() == '-') result.pop_back();
   return result.empty() ? "unnamed" : result;
+}
+
+std::vector<std::string> unique_slugs(const std::vector<std::string>& texts) {
+  std::vector<std::string> result;
+  std::set<std::string> taken;
+  for (const std::string& text : texts) {
+    const std::string first = slug(text);
+    std::string name = first;
+    for (int count = 2; !taken.insert(name).second; ++count) name = first + "-" + std::to_string(count);
+    result.push_back(name);
+  }
+  return result;
 }
 
 std::vector<LineStyle> styles(const Plan& plan) {

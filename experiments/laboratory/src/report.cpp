@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "page.h"
+#include "rectilin/base/folder_lock.h"
 #include "rectilin/base/whole_file.h"
 #include "rectilin/laboratory/ioh.h"
 #include "rectilin/laboratory/plots.h"
@@ -103,7 +104,7 @@ class Gallery {
     return {plot.name, plot.caption, plot.plot.width()};
   }
 
-  std::vector<std::string> draw_all() const { return rectilin::draw_all(folder_, names_); }
+  PictureTroubles draw_all() const { return rectilin::draw_all(folder_, names_); }
 
  private:
   fs::path folder_;
@@ -134,7 +135,8 @@ Json read_json(const fs::path& file) {
 
 }  // namespace
 
-std::vector<std::string> write_report(const fs::path& folder) {
+PictureTroubles write_report(const fs::path& folder) {
+  const FolderLock lock(folder);
   const Results results = load_results(folder);
   const Summary summary = summarise(results);
   runs_table(results).write(folder / "runs.csv");
@@ -146,7 +148,7 @@ std::vector<std::string> write_report(const fs::path& folder) {
 
   Gallery gallery(folder / "plots");
   const PageFigures figures = add_figures(results, summary, gallery);
-  std::vector<std::string> troubles = gallery.draw_all();
+  PictureTroubles troubles = gallery.draw_all();
   write_whole_file(folder / "index.html",
                    comparison_page(results, summary, figures, read_json(folder / "provenance.json"), folder));
   return troubles;

@@ -37,14 +37,12 @@ MeshResult mesh_from_json(const Json& line) {
   line.at("faces").get_to(mesh.faces);
   line.at("directions").get_to(mesh.directions);
   mesh.area = number(line.at("area"));  // null if out of range
-  const Json& proof = line.at("certificate");
-  const double bound = number(proof.at("lower"));
-  mesh.upper = rectilinearity(std::isnan(bound) ? 1.0 : std::max(bound, 1.0));  // S <= P holds for any mesh
-  const double found = number(proof.at("merit"));
+  const double found = number(line.at("rectilinearity")), upper = number(line.at("upper"));
+  mesh.upper = std::isnan(upper) ? 1.0 : std::min(upper, 1.0);  // S <= P holds for any mesh
   mesh.lower = std::isnan(found) ? rectilinearity(std::sqrt(3.0)) : std::min(found, mesh.upper);
-  mesh.rotation = rotation_from_json(proof.at("rotation"));
-  mesh.evaluations = number(proof.at("evaluations"));
-  mesh.seconds = number(proof.at("seconds"));
+  mesh.rotation = rotation_from_json(line.at("rotation"));
+  mesh.evaluations = number(line.at("evaluations"));
+  mesh.seconds = number(line.at("seconds"));
   return mesh;
 }
 
@@ -62,7 +60,7 @@ RunResult run_from_json(Json line, const Results& results) {
   RunResult run;
   const auto index = [](const auto& list, auto member, const Json& name) {
     const auto found = std::ranges::find(list, name.get<std::string>(), member);
-    if (found == list.end()) throw std::runtime_error("runs.jsonl: " + name.dump() + " is not in the plan");
+    if (found == list.end()) throw std::out_of_range(to_text(name) + " is not in the plan");
     return static_cast<std::size_t>(found - list.begin());
   };
   run.mesh = index(results.meshes, &MeshResult::name, line.at("mesh"));
@@ -125,10 +123,11 @@ Results load_results(const fs::path& folder) {
 
   const std::vector<std::string> title = titles(results.plan.meshes);
   std::map<std::string, MeshResult> known;
-  for (const Json& line : recover_journal(folder / "meshes.jsonl")) {
+  const fs::path meshes = folder / "meshes.jsonl", runs = folder / "runs.jsonl";
+  for_each_line(meshes, recover_journal(meshes), [&](const Json& line) {
     MeshResult mesh = mesh_from_json(line);
     known[mesh.name] = mesh;
-  }
+  });
   for (std::size_t i = 0; i < title.size(); ++i) {
     MeshResult mesh = known[results.plan.meshes[i]];
     if (mesh.name.empty()) mesh.error = "not measured yet";
@@ -137,10 +136,10 @@ Results load_results(const fs::path& folder) {
     results.meshes.push_back(std::move(mesh));
   }
   std::set<std::tuple<std::size_t, std::size_t, int>> seen;
-  for (Json& line : recover_journal(folder / "runs.jsonl")) {
-    RunResult run = run_from_json(std::move(line), results);
+  for_each_line(runs, recover_journal(runs), [&](const Json& line) {
+    RunResult run = run_from_json(line, results);
     if (seen.emplace(run.mesh, run.entry, run.run).second) results.runs.push_back(std::move(run));
-  }
+  });
   std::ranges::sort(results.runs, {}, [](const RunResult& r) { return std::tuple(r.mesh, r.entry, r.run); });
   std::vector<double> best;  // a run can beat the rotation that came with the certificate
   for (const MeshResult& mesh : results.meshes) best.push_back(mesh.lower);

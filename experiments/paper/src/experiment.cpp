@@ -9,26 +9,27 @@ namespace rectilin {
 const std::vector<Experiment>& experiments() {
   using namespace figures;
   static const std::vector<Experiment> all{
-      fig1(),  fig2(),  fig5(),  fig6(),  fig7(),  fig8(),  fig9(),  fig10(), fig11(),         fig12(),     fig13(),
-      fig14(), fig15(), fig16(), fig17(), fig18(), fig19(), fig20(), gap(),   pose_accuracy(), shortfall(),
+      fig1(),   fig2(),  fig5(),   fig6(),   fig7(),   fig8(),   fig9(),   fig10(), fig11(),         fig12(),
+      fig13(),  fig14(), fig15(),  fig16(),  fig17(),  fig18(),  fig19(),  fig20(), pose_accuracy(), gallery(),
+      table1(), fig21(), table2(), table3(), table4(), table5(), table6(), fig22(), gap(),           shortfall(),
   };
   return all;
 }
 
 const Experiment& find_experiment(const std::string& name) {
-  std::string names;
+  std::vector<std::string> known;
   for (const Experiment& experiment : experiments()) {
     if (experiment.name == name) return experiment;
-    names.append(names.empty() ? "" : ", ").append(experiment.name);
+    known.push_back(experiment.name);
   }
-  throw ParameterError("no experiment '" + name + "'; there are " + names);
+  throw_unknown_name("experiment", name, known);
 }
 
 ExperimentOutcome run_experiment(const Experiment& experiment, const Json& settings, const ExperimentContext& context,
                                  const std::filesystem::path& folder, const std::string& command_line) {
   if (!context.meshes.empty() && experiment.takes.empty())
     throw ParameterError(experiment.name + " makes its own meshes and takes no others");
-  const ExperimentResult result = experiment.run(settings, context);
+  const ExperimentResult result = experiment.make(settings, context);
 
   std::filesystem::create_directories(folder);
   Json pictures = Json::array();
@@ -44,7 +45,7 @@ ExperimentOutcome run_experiment(const Experiment& experiment, const Json& setti
     pictures.push_back({{"name", plot.name}, {"caption", plot.caption}, {"width", plot.plot.width()}});
   }
   const Json all = {{"experiment", experiment.name},
-                    {"title", experiment.title},
+                    {"title", experiment.help},
                     {"says", result.says},
                     {"settings", settings},
                     {"seed", context.seed},

@@ -65,7 +65,7 @@ void write_experiment_page(const fs::path& folder) {
   for (const Experiment& experiment : experiments()) {
     const Json found = stored(experiment.name, folder);
     if (found.is_null()) continue;
-    contents += "<li>" + link("#" + experiment.name, experiment.name) + ": " + escape(experiment.title) + "</li>\n";
+    contents += "<li>" + link("#" + experiment.name, experiment.name) + ": " + escape(experiment.help) + "</li>\n";
     sections += section(found, folder);
   }
   write_whole_file(folder / "index.html", html::page("Rectilinearity: the experiments",

@@ -161,7 +161,7 @@ BestTurn ProjectedArea::best_turn(const Rotation& rotation, int k) const {
   const Vector3 turn = std::atan2(at.y, at.x) * Vector3::Unit(k);
   BestTurn best;
   best.rotation = Rotation::from_quaternion((rotation_from_vector(turn) * rotation).quaternion());
-  values({&best.rotation, 1}, {&best.value, 1});
+  best.value = value(best.rotation);
   return best;
 }
 

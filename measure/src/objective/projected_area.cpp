@@ -11,11 +11,11 @@ constexpr std::size_t kPass = 256;
 
 }  // namespace
 
-ProjectedArea::ProjectedArea(AreaVectors vectors, std::string name, SumMethod evaluation, Precision precision)
+ProjectedArea::ProjectedArea(AreaVectors vectors, std::string name, SumMethod method, Precision precision)
     : vectors_(std::move(vectors)),
       flat_(vectors_, precision),
-      use_tree_(evaluation == SumMethod::kTree ||
-                (evaluation == SumMethod::kAuto && DirectionTree::worthwhile(vectors_.size()))),
+      use_tree_(method == SumMethod::kTree ||
+                (method == SumMethod::kAuto && DirectionTree::worthwhile(vectors_.size()))),
       name_(std::move(name)) {}
 
 const DirectionTree& ProjectedArea::tree() const {

@@ -23,7 +23,7 @@ inline std::shared_ptr<std::byte[]> allocate_nodes(std::size_t wanted) {
   void* memory = std::aligned_alloc(alignment, bytes);
   if (memory == nullptr && bytes > 0) throw std::bad_alloc();
 #ifdef __linux__
-  if (alignment == kPage) madvise(memory, bytes, MADV_HUGEPAGE);  // a wish: refusal does no harm
+  if (alignment == kPage) madvise(memory, bytes, MADV_HUGEPAGE);  // only a hint
 #endif
   return {static_cast<std::byte*>(memory), [](std::byte* p) { std::free(p); }};
 }

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "rectilin/base/ceil_div.h"
@@ -40,7 +41,7 @@ class ParallelSum {
 };
 
 /// The largest extent of a triangle along an axis: rounded up to a power of two, the unit of length.
-int length_exponent(const Mesh& mesh) {
+int length_exponent(const MeshView& mesh) {
   double largest = 0;
   for (const Triangle& t : mesh.triangles) {
     const Vector3& origin = mesh.vertices[t[0]];
@@ -107,7 +108,7 @@ AreaVectors area_vectors(std::vector<Vector3> vectors) {
   return result;
 }
 
-AreaVectors area_vectors(const Mesh& mesh) {
+AreaVectors area_vectors(const MeshView& mesh) {
   const int exponent = length_exponent(mesh);
   const double scale = std::ldexp(1.0, -exponent / 2);  // twice applied, or 2^-exponent might overflow
   const double rest = std::ldexp(1.0, -exponent - (-exponent / 2));
@@ -122,9 +123,34 @@ AreaVectors area_vectors(const Mesh& mesh) {
       vectors[i] = 0.5 * a.cross(b);  // eqs. (5)-(7)
     }
   });
+  for (const Vector3& v : vectors)  // what follows compares and casts
+    if (!v.allFinite()) throw MeshError("a vertex is not finite");
   AreaVectors result = area_vectors(std::move(vectors));
   result.exponent += 2 * exponent;
   if (result.total == 0) throw MeshError("the total area is zero");
+  return result;
+}
+
+AreaVectors area_vectors_of_normals(std::span<const Vector3> normals, std::span<const double> weights) {
+  if (!weights.empty() && weights.size() != normals.size())
+    throw MeshError("there are " + std::to_string(normals.size()) + " normals and " + std::to_string(weights.size()) +
+                    " weights");
+  double heaviest = weights.empty() ? 1 : 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (!(std::isfinite(weights[i]) && weights[i] >= 0))
+      throw MeshError("weight " + std::to_string(i) + " is negative or not finite");
+    heaviest = std::max(heaviest, weights[i]);
+  }
+  if (normals.empty() || heaviest == 0) throw MeshError("the normals have no weight");
+  const int exponent = std::ilogb(heaviest);
+  std::vector<Vector3> vectors(normals.size());
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    if (!normals[i].allFinite() || normals[i].isZero(0))
+      throw MeshError("normal " + std::to_string(i) + " is zero or not finite");
+    vectors[i] = normals[i].stableNormalized() * (weights.empty() ? 1 : std::ldexp(weights[i], -exponent));
+  }
+  AreaVectors result = area_vectors(std::move(vectors));
+  result.exponent += exponent;
   return result;
 }
 

@@ -32,7 +32,9 @@ class ByteReader {
 
   /// Passes over bytes, of which there must be enough.
   void skip(std::size_t count) { position_ += count; }
+  std::size_t position() const { return position_; }
   std::size_t remaining() const { return bytes_.size() - position_; }
+  std::string_view rest() const { return bytes_.substr(position_); }
 
   [[noreturn]] void fail(const std::string& reason) const {
     throw MeshError(std::string(name_) + ":byte " + std::to_string(position_) + ": " + reason);

@@ -1,6 +1,7 @@
 // The Object File Format (Geomview manual, "OFF Files"), as text.
 #include <optional>
 
+#include "io/left_over.h"
 #include "io/soup.h"
 #include "io/text.h"
 
@@ -13,20 +14,23 @@ struct Keyword {
   std::size_t size = 0;
 };
 
-// The keyword [ST][C][N][4][n]OFF at the start of a word. ModelNet glues the first count to it.
+// The keyword [ST][C][N][4][n]OFF at the start of a word, in capitals or small letters. ModelNet glues the first count
+// to it. Small letters cannot tell N (normals) from n (dimensions), so that "noff" is none.
 std::optional<Keyword> parse_keyword(std::string_view word) {
   Keyword keyword;
   const auto take = [&](std::string_view part) {
-    const bool found = word.substr(keyword.size, part.size()) == part;
+    const bool found = is_keyword(word.substr(keyword.size, part.size()), part);
     if (found) keyword.size += part.size();
     return found;
   };
-  take("ST");
-  take("C");
-  take("N");
+  take("st");
+  take("c");
+  const bool large = word.substr(keyword.size).starts_with("N") && take("n");
   keyword.homogeneous = take("4");
-  keyword.any_dimension = take("n");
-  const bool found = take("OFF");
+  const bool small = word.substr(keyword.size).starts_with("n") && take("n");
+  keyword.any_dimension = small;
+  const bool capitals = word.substr(keyword.size).starts_with("O");
+  const bool found = take("off") && !(small && !capitals) && !(large && !capitals);
   const std::string_view rest = word.substr(keyword.size);
   if (!found || rest.find_first_not_of("0123456789") != std::string_view::npos) return {};
   return keyword;
@@ -47,21 +51,45 @@ std::int64_t header_integer(LineReader& text, std::string_view what) {
   return value;
 }
 
-Header read_header(LineReader& text) {
-  text.next_line();
+// The number of edges, which nobody needs: on the line of the other counts, or alone on the next one, where a vertex
+// would have more numbers. Nothing else may follow the counts on their line.
+void pass_edges(LineReader& text) {
+  std::string_view word = text.word();
+  if (word.empty()) {
+    LineReader ahead = text;
+    std::int64_t edges = 0;
+    const bool alone = ahead.next_line() && parse_integer(ahead.word(), edges) && ahead.word().empty();
+    if (alone) text = ahead;
+    return;
+  }
+  std::int64_t edges = 0;
+  if (!parse_integer(word, edges)) text.fail_expected("the number of edges", word);
+  word = text.word();
+  if (!word.empty()) text.fail_expected("the end of the line of counts", word);
+}
+
+// Without a keyword a file is OFF if it begins with the counts.
+Keyword read_keyword(LineReader& text) {
   const std::string_view word = text.word();
-  const std::optional<Keyword> keyword = parse_keyword(word);
+  std::int64_t vertices = 0;
+  std::optional<Keyword> keyword = parse_keyword(word);
+  if (!keyword && parse_integer(word, vertices)) keyword = Keyword();
   if (!keyword) text.fail_expected("the keyword OFF", word);
   text.unread(word.size() - keyword->size);
+  return *keyword;
+}
 
+Header read_header(LineReader& text) {
+  text.next_line();
+  const Keyword keyword = read_keyword(text);
   const std::string_view second = text.word();
-  if (second == "BINARY") text.fail("OFF BINARY is not supported, only OFF as text");
+  if (is_keyword(second, "binary")) text.fail("OFF BINARY is not supported, only OFF as text");
   text.unread(second.size());
-  if (keyword->any_dimension && header_integer(text, "the number of dimensions") != 3) {
+  if (keyword.any_dimension && header_integer(text, "the number of dimensions") != 3) {
     text.fail("only vertices of three dimensions are supported");
   }
 
-  Header header{keyword->homogeneous, 0, 0};
+  Header header{keyword.homogeneous, 0, 0};
   header.vertices = header_integer(text, "the number of vertices");
   header.faces = header_integer(text, "the number of faces");
   constexpr std::size_t kShortestVertex = 6, kShortestFace = 2;  // "0 0 0\n" and "0\n"
@@ -71,6 +99,7 @@ Header read_header(LineReader& text) {
     text.fail("the header claims " + std::to_string(header.vertices) + " vertices and " + std::to_string(header.faces) +
               " faces, more than the file can hold");
   }
+  pass_edges(text);
   return header;
 }
 
@@ -87,24 +116,14 @@ Vector3 read_vertex(LineReader& text, bool homogeneous) {
   return Vector3(x, y, z) / (homogeneous ? text.number("a fourth coordinate") : 1.0);
 }
 
-// The next corner of a face, which may be on a line further down.
-std::string_view next_corner(LineReader& text, bool& continued) {
-  std::string_view word = text.word();
-  while (word.empty() && text.next_line()) {
-    continued = true;
-    word = text.word();
-  }
-  return word;
-}
-
 // What follows the corners on their line is a colour. Not so where the corners go over several
 // lines: there it rather says that the face has fewer corners than it claims.
 void read_face(LineReader& text, std::int64_t vertices, PolygonSoup& soup) {
   const std::int64_t corners = text.integer("the number of corners");
   if (corners < 0) text.fail("a face of " + std::to_string(corners) + " corners");
-  bool continued = false;
+  const std::size_t first_line = text.line();
   for (std::int64_t i = 0; i < corners; ++i) {
-    const std::string_view word = next_corner(text, continued);
+    const std::string_view word = text.next_word();
     std::int64_t index = 0;
     if (!parse_integer(word, index)) text.fail_expected("a vertex index", word);
     if (index < 0 || index >= vertices) {
@@ -112,7 +131,7 @@ void read_face(LineReader& text, std::int64_t vertices, PolygonSoup& soup) {
     }
     soup.corners.push_back(static_cast<std::uint32_t>(index));
   }
-  const std::string_view rest = continued ? text.word() : std::string_view();
+  const std::string_view rest = text.line() > first_line ? text.word() : std::string_view();
   if (!rest.empty()) text.fail_expected("the end of a face that began on a line above", rest);
   soup.close_polygon();
 }
@@ -125,9 +144,9 @@ bool looks_like_off(std::string_view bytes) {
 }
 
 PolygonSoup read_off(std::string_view bytes, const std::string& name) {
-  LineReader text(bytes, name);
-  const Header header = read_header(text);
   PolygonSoup soup;
+  LineReader text(without_padding(bytes, soup.report), name);
+  const Header header = read_header(text);
   soup.vertices.reserve(static_cast<std::size_t>(header.vertices));
   for (std::int64_t i = 0; i < header.vertices; ++i) {
     next_record(text, "vertices", i, header.vertices);
@@ -137,6 +156,7 @@ PolygonSoup read_off(std::string_view bytes, const std::string& name) {
     next_record(text, "faces", i, header.faces);
     read_face(text, header.vertices, soup);
   }
+  report_left_over(text, soup.report);
   return soup;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "io/bytes.h"
+#include "io/left_over.h"
 #include "io/ply_header.h"
 #include "io/soup.h"
 
@@ -21,12 +22,15 @@ class TextSource {
   void begin_item() {
     if (!text_.next_line()) fail("the file ends where more elements should follow");
   }
-  double read(Type) { return text_.number("a number"); }
+  // An element may go over several lines. One that lacks a number takes it from the next, which then does not end
+  // where its line does, or leaves one element too few.
+  double read(Type) { return text_.next_number("a number"); }
   void end_item() {
     const std::string_view word = text_.word();
     if (!word.empty()) text_.fail_expected("the end of the line", word);
   }
   std::size_t remaining() const { return text_.remaining(); }
+  void report_left_over(MeshReport& report) { rectilin::report_left_over(text_, report); }
   static std::size_t smallest_size(Type) { return 2; }  // a digit and what separates it
   [[noreturn]] void fail(const std::string& reason) const { text_.fail(reason); }
 
@@ -62,6 +66,7 @@ class BinarySource {
   }
   void end_item() {}
   std::size_t remaining() const { return data_.remaining(); }
+  void report_left_over(MeshReport& report) { rectilin::report_left_over(data_.rest(), data_.position(), report); }
   static std::size_t smallest_size(Type type) { return size_of(type); }
   [[noreturn]] void fail(const std::string& reason) const { data_.fail(reason); }
 
@@ -73,8 +78,10 @@ class BinarySource {
 template <class Source>
 class BodyReader {
  public:
-  BodyReader(Source source, const Header& header, const LineReader& header_text)
-      : source_(std::move(source)), header_(header), header_text_(header_text) {}
+  BodyReader(Source source, const Header& header, const LineReader& header_text, MeshReport report)
+      : source_(std::move(source)), header_(header), header_text_(header_text) {
+    soup_.report = std::move(report);
+  }
 
   PolygonSoup read() {
     for (const Element& element : header_.elements) {
@@ -87,9 +94,11 @@ class BodyReader {
       } else if (element.name == "face" || element.name == "tristrips") {
         read_faces(element);
       } else {
+        report_unknown(element);
         skip(element);
       }
     }
+    source_.report_left_over(soup_.report);
     return std::move(soup_);
   }
 
@@ -146,6 +155,20 @@ class BodyReader {
     return static_cast<std::int64_t>(value);
   }
 
+  // Elements of other names may be anything, a camera or the program's settings; but those that list vertices may be
+  // surface, such as fans of triangles.
+  void report_unknown(const Element& element) {
+    if (element.count == 0 || !find_indices(element)) return;
+    if (soup_.report.unknown_statements == 0)
+      soup_.report.first_unknown = "the element " + quoted(element.name) + " in line " + std::to_string(element.line);
+    soup_.report.unknown_statements += element.count;
+  }
+
+  std::optional<std::size_t> find_indices(const Element& element) const {
+    const auto indices = find(element, "vertex_indices", true);
+    return indices ? indices : find(element, "vertex_index", true);
+  }
+
   void skip(const Element& element) {
     if (element.properties.empty()) return;  // no data, and no bound on the count
     for (std::size_t i = 0; i < element.count; ++i) {
@@ -172,8 +195,7 @@ class BodyReader {
   void read_faces(const Element& element) {
     if (element.count == 0) return;
     const bool strips = element.name == "tristrips";
-    auto indices = find(element, "vertex_indices", true);
-    if (!indices) indices = find(element, "vertex_index", true);
+    const auto indices = find_indices(element);
     if (!indices) fail_header(element, "the faces have no list vertex_indices or vertex_index");
     for (std::size_t i = 0; i < element.count; ++i) {
       strip_length_ = 0;
@@ -232,11 +254,13 @@ PolygonSoup read_ply(std::string_view bytes, const std::string& name) {
   LineReader text(bytes, name);
   const Header header = read_header(text);
   if (header.encoding == Encoding::kText) {
-    return BodyReader(TextSource(text), header, text).read();
+    MeshReport report;
+    LineReader body = text.within(without_padding(bytes, report));
+    return BodyReader(TextSource(body), header, text, report).read();
   }
   const std::endian order = header.encoding == Encoding::kBigEndian ? std::endian::big : std::endian::little;
   const ByteReader data(bytes, body_offset(text, bytes), order, name);
-  return BodyReader(BinarySource(data), header, text).read();
+  return BodyReader(BinarySource(data), header, text, {}).read();
 }
 
 }  // namespace rectilin

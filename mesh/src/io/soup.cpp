@@ -133,8 +133,10 @@ LoadedMesh assemble(PolygonSoup soup, const std::string& name) {
 
   LoadedMesh loaded;
   MeshReport& report = loaded.report;
+  report = soup.report;
   report.vertices = soup.vertices.size();
   report.polygons = soup.ends.size();
+  report.scene = soup.scene;
   const std::vector<std::uint32_t> target = compact_vertices(soup, report);
   loaded.mesh.triangles = triangulate_all(soup, target, report, name);
   loaded.mesh.vertices = std::move(soup.vertices);

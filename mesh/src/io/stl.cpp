@@ -1,7 +1,9 @@
 // Stereolithography files (3D Systems, StereoLithography Interface Specification, 1989).
-#include <array>
+#include <algorithm>
+#include <utility>
 
 #include "io/bytes.h"
+#include "io/left_over.h"
 #include "io/soup.h"
 #include "io/text.h"
 
@@ -10,19 +12,23 @@ namespace {
 
 constexpr std::size_t kHeaderSize = 80, kPrefixSize = 84, kTriangleSize = 50;
 
-bool starts_with_solid(std::string_view bytes) {
-  LineReader text(bytes, {});
-  return text.next_line() && is_keyword(text.word(), "solid");
-}
-
 // How many triangles a binary file claims. The file must have a whole prefix.
 std::size_t claimed_triangles(std::string_view bytes) {
   return ByteReader(bytes, kHeaderSize, std::endian::little, {}).read<std::uint32_t>();
 }
 
+std::size_t binary_size(std::size_t triangles) { return kPrefixSize + kTriangleSize * triangles; }
+
 // Exporters write "solid" into binary headers too; only the size tells.
 bool has_binary_size(std::string_view bytes) {
-  return bytes.size() >= kPrefixSize && bytes.size() == kPrefixSize + kTriangleSize * claimed_triangles(bytes);
+  return bytes.size() >= kPrefixSize && bytes.size() == binary_size(claimed_triangles(bytes));
+}
+
+bool is_text(std::string_view bytes) {
+  MeshReport ignored;
+  LineReader text(bytes, {});
+  if (!text.next_line() || !is_keyword(text.word(), "solid")) return false;
+  return without_padding(bytes, ignored).find('\0') == std::string_view::npos;
 }
 
 void append_corner(PolygonSoup& soup, const Vector3& position) {
@@ -30,14 +36,71 @@ void append_corner(PolygonSoup& soup, const Vector3& position) {
   soup.vertices.push_back(position);
 }
 
+// Why a file is not of the size its count of triangles demands: each is something that happens to files.
+
+// Copied as text to a system whose lines end with CR LF.
+bool is_text_mode_copy(std::string_view bytes) {
+  std::string before;
+  before.reserve(bytes.size());
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    if (bytes[i] == '\n' && (before.empty() || before.back() != '\r')) return false;
+    if (bytes[i] == '\n') before.back() = '\n';
+    else before += bytes[i];
+  }
+  return before.size() < bytes.size() && has_binary_size(before);
+}
+
+// How many whole files stand one behind the other; 0 if that is not what the bytes are.
+std::size_t count_files(std::string_view bytes) {
+  std::size_t files = 0;
+  while (!bytes.empty()) {
+    if (bytes.size() < kPrefixSize || bytes.size() < binary_size(claimed_triangles(bytes))) return 0;
+    bytes.remove_prefix(binary_size(claimed_triangles(bytes)));
+    ++files;
+  }
+  return files;
+}
+
+// Whether so many bytes as each triangle's last two say follow it.
+bool has_payloads(std::string_view bytes) {
+  std::size_t place = kPrefixSize;
+  for (std::size_t left = claimed_triangles(bytes); left > 0; --left) {
+    place += kTriangleSize;
+    if (place > bytes.size()) return false;
+    place += ByteReader(bytes, place - sizeof(std::uint16_t), std::endian::little, {}).read<std::uint16_t>();
+  }
+  return place == bytes.size();
+}
+
+bool is_all_text(std::string_view bytes) {
+  return std::all_of(bytes.begin(), bytes.end(),
+                     [](unsigned char c) { return (c >= 0x20 && c != 0x7F) || (c >= '\t' && c <= '\r'); });
+}
+
+// Accounts for every byte of a file that is not of the size it should have: returns if what is too much is padding.
+void explain_size(std::string_view bytes, const std::string& name, MeshReport& report) {
+  const auto refuse = [&](const std::string& reason) { throw MeshError(name + ": " + reason); };
+  if (is_all_text(bytes.substr(0, 512))) refuse("neither text that begins with 'solid' nor a binary STL file");
+  const std::size_t claimed = claimed_triangles(bytes), held = (bytes.size() - kPrefixSize) / kTriangleSize;
+  if (is_text_mode_copy(bytes)) refuse("a binary STL file that was copied as text: there is a CR before every LF");
+  if (claimed > held) {
+    throw MeshError(name + ":byte " + std::to_string(kPrefixSize) + ": the header claims " + std::to_string(claimed) +
+                    " triangles, the file holds " + std::to_string(held));
+  }
+  const std::string_view rest = bytes.substr(binary_size(claimed));
+  if (claimed > 0 && is_padding(rest)) return report_left_over(rest, binary_size(claimed), report);
+  if (const std::size_t files = claimed > 0 ? count_files(bytes) : 0; files > 1)
+    refuse(std::to_string(files) + " binary STL files one behind the other");
+  if (claimed > 0 && has_payloads(bytes)) refuse("a binary STL file with more data behind each triangle");
+  throw MeshError(name + ":byte " + std::to_string(binary_size(claimed)) + ": the header claims " +
+                  std::to_string(claimed) + " triangles, but " + std::to_string(rest.size()) + " bytes follow them");
+}
+
 PolygonSoup read_binary(std::string_view bytes, const std::string& name) {
+  PolygonSoup soup;
   ByteReader data(bytes, std::min(kHeaderSize, bytes.size()), std::endian::little, name);
   const std::size_t triangles = data.read<std::uint32_t>();
-  if (triangles > data.remaining() / kTriangleSize) {
-    data.fail("the header claims " + std::to_string(triangles) + " triangles, the file holds " +
-              std::to_string(data.remaining() / kTriangleSize));
-  }
-  PolygonSoup soup;
+  if (!has_binary_size(bytes)) explain_size(bytes, name, soup.report);
   soup.weld = true;
   soup.vertices.reserve(3 * triangles);
   soup.corners.reserve(3 * triangles);
@@ -54,52 +117,138 @@ PolygonSoup read_binary(std::string_view bytes, const std::string& name) {
   return soup;
 }
 
-// Between "facet" and "endfacet" come lines of one vertex each; "outer loop" and "endloop" say
-// nothing.
-void read_facet(LineReader& text, PolygonSoup& soup) {
-  while (text.next_line()) {
-    const std::string_view keyword = text.word();
-    if (is_keyword(keyword, "vertex")) {
-      const double x = text.number("a coordinate");
-      const double y = text.number("a coordinate");
-      const double z = text.number("a coordinate");
-      append_corner(soup, Vector3(x, y, z));
-    } else if (is_keyword(keyword, "endfacet")) {
-      soup.close_polygon();
-      return;
-    } else if (!is_keyword(keyword, "outer") && !is_keyword(keyword, "endloop")) {
-      text.fail_expected("a vertex or endfacet", keyword);
-    }
+// Reads STL as text: words in a fixed order, wherever lines end. Only names end with their line.
+class TextFile {
+ public:
+  TextFile(std::string_view bytes, const std::string& name) : text_(without_padding(bytes, soup_.report), name) {
+    soup_.weld = true;
   }
-  text.fail("the file ends within a facet");
-}
 
-PolygonSoup read_text(std::string_view bytes, const std::string& name) {
-  LineReader text(bytes, name);
-  PolygonSoup soup;
-  soup.weld = true;
-  bool in_solid = false;
-  while (text.next_line()) {
-    const std::string_view keyword = text.word();
-    if (in_solid && is_keyword(keyword, "facet")) {
-      read_facet(text, soup);
-    } else if (is_keyword(keyword, in_solid ? "endsolid" : "solid")) {
-      in_solid = !in_solid;
-    } else {
-      text.fail_expected(in_solid ? "facet or endsolid" : "solid", keyword);
+  PolygonSoup read() {
+    bool in_solid = false;
+    for (std::string_view word = keyword(); !word.empty(); word = keyword()) {
+      if (in_solid && is_keyword(word, "facet")) {
+        read_facet();
+      } else if (!in_solid && is_keyword(word, "solid")) {
+        in_solid = true;
+        pass_name();
+      } else if (in_solid && is_keyword(word, "endsolid")) {
+        in_solid = false;
+        pass_name();
+      } else {
+        text_.fail_expected(in_solid ? "facet or endsolid" : "solid", word);
+      }
+    }
+    if (in_solid) text_.fail("the file ends before endsolid");
+    return std::move(soup_);
+  }
+
+ private:
+  // The next word; "end solid", "end facet", "end loop" and "outer loop" as one.
+  std::string_view keyword() {
+    const std::string_view word = text_.next_word();
+    if (is_keyword(word, "outer")) {
+      if (is_keyword(ahead(), "loop")) text_.next_word();
+      return word;
+    }
+    if (!is_keyword(word, "end")) return word;
+    const std::string_view what = text_.next_word();
+    if (is_keyword(what, "solid")) return "endsolid";
+    if (is_keyword(what, "facet")) return "endfacet";
+    if (is_keyword(what, "loop")) return "endloop";
+    text_.fail_expected("solid, facet or loop after end", what);
+  }
+
+  std::string_view ahead() const {
+    LineReader copy = text_;
+    return copy.next_word();
+  }
+
+  // The rest of the line is a name, but for what can only be the next facet, the end or the next solid, where all
+  // stands on one line.
+  void pass_name() {
+    find_last_marker();
+    while (true) {
+      LineReader next = text_;
+      const std::string_view word = next.word();
+      if (word.empty()) return;
+      const bool marker_follows = next.offset() <= last_marker_;
+      if (marker_follows && (is_keyword(word, "endsolid") || is_keyword(word, "solid") || begins_facet(word, next)))
+        return;
+      text_ = next;
     }
   }
-  if (in_solid) text.fail("the file ends before endsolid");
-  return soup;
-}
+
+  static bool begins_facet(std::string_view word, LineReader behind) {
+    return is_keyword(word, "facet") && is_keyword(behind.word(), "normal");
+  }
+
+  // Sets last_marker_ to the end of the last word on this line that begins a facet or ends a solid. Once for each line,
+  // however many names it has.
+  void find_last_marker() {
+    if (text_.line() == marked_line_) return;
+    marked_line_ = text_.line();
+    last_marker_ = 0;
+    LineReader next = text_;
+    for (std::string_view word = next.word(); !word.empty(); word = next.word())
+      if (is_keyword(word, "endsolid") || begins_facet(word, next)) last_marker_ = next.offset();
+  }
+
+  void read_facet() {
+    if (is_keyword(ahead(), "normal")) {
+      text_.next_word();
+      for (int i = 0; i < 3 && !begins_corners(ahead()); ++i) text_.next_word();  // whatever it says
+    }
+    const std::size_t first = soup_.vertices.size();
+    while (true) {
+      const std::string_view word = keyword();
+      if (is_keyword(word, "vertex")) {
+        read_vertices();
+      } else if (is_keyword(word, "endfacet")) {
+        break;
+      } else if (word.empty()) {
+        text_.fail("the file ends within a facet");
+      } else if (!is_keyword(word, "outer") && !is_keyword(word, "outerloop") && !is_keyword(word, "endloop")) {
+        text_.fail_expected("a vertex or endfacet", word);
+      }
+    }
+    soup_.close_polygon();
+    soup_.report.odd_facets += soup_.vertices.size() - first != 3;
+  }
+
+  static bool begins_corners(std::string_view word) {
+    return word.empty() || is_keyword(word, "outer") || is_keyword(word, "outerloop") || is_keyword(word, "vertex");
+  }
+
+  // One vertex, or all three behind one keyword.
+  void read_vertices() {
+    read_vertex();
+    double number = 0;
+    if (!parse_number(ahead(), number)) return;
+    read_vertex();
+    read_vertex();
+  }
+
+  void read_vertex() {
+    const double x = text_.next_number("a coordinate");
+    const double y = text_.next_number("a coordinate");
+    const double z = text_.next_number("a coordinate");
+    append_corner(soup_, Vector3(x, y, z));
+  }
+
+  PolygonSoup soup_;
+  LineReader text_;
+  std::size_t marked_line_ = 0, last_marker_ = 0;
+};
 
 }  // namespace
 
-bool looks_like_stl(std::string_view bytes) { return has_binary_size(bytes) || starts_with_solid(bytes); }
+bool looks_like_stl(std::string_view bytes) { return has_binary_size(bytes) || is_text(bytes); }
+
+bool is_binary_stl(std::string_view bytes) { return has_binary_size(bytes); }
 
 PolygonSoup read_stl(std::string_view bytes, const std::string& name) {
-  const bool text = !has_binary_size(bytes) && starts_with_solid(bytes);
-  return text ? read_text(bytes, name) : read_binary(bytes, name);
+  return !has_binary_size(bytes) && is_text(bytes) ? TextFile(bytes, name).read() : read_binary(bytes, name);
 }
 
 }  // namespace rectilin

@@ -33,17 +33,6 @@ bool is_windows_nonfinite(std::string_view rest) {
   return rest.starts_with("#INF") || rest.starts_with("#IND") || rest.starts_with("#QNAN") || rest.starts_with("#SNAN");
 }
 
-bool parse_number(std::string_view word, double& value) {
-  const std::string_view digits = without_plus(word);
-  const char* const end = digits.data() + digits.size();
-  const auto result = std::from_chars(digits.data(), end, value);
-  if (result.ec == std::errc::invalid_argument) return false;
-  if (result.ec == std::errc::result_out_of_range) value = out_of_range_value(digits);
-  if (result.ptr == end) return true;
-  value = std::numeric_limits<double>::quiet_NaN();
-  return is_windows_nonfinite(std::string_view(result.ptr, end));
-}
-
 }  // namespace
 
 std::string quoted(std::string_view word) {
@@ -60,6 +49,17 @@ bool is_keyword(std::string_view word, std::string_view keyword) {
                     [&](char c, char expected) { return lower(c) == expected; });
 }
 
+bool parse_number(std::string_view word, double& value) {
+  const std::string_view digits = without_plus(word);
+  const char* const end = digits.data() + digits.size();
+  const auto result = std::from_chars(digits.data(), end, value);
+  if (result.ec == std::errc::invalid_argument) return false;
+  if (result.ec == std::errc::result_out_of_range) value = out_of_range_value(digits);
+  if (result.ptr == end) return true;
+  value = std::numeric_limits<double>::quiet_NaN();
+  return is_windows_nonfinite(std::string_view(result.ptr, end));
+}
+
 bool parse_integer(std::string_view word, std::int64_t& value) {
   const std::string_view digits = without_plus(word);
   const char* const end = digits.data() + digits.size();
@@ -70,6 +70,12 @@ bool parse_integer(std::string_view word, std::int64_t& value) {
 LineReader::LineReader(std::string_view text, std::string_view name, Continuation continuation)
     : text_(text), name_(name), continuation_(continuation) {
   if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) position_ = kByteOrderMark.size();
+}
+
+LineReader LineReader::within(std::string_view text) const {
+  LineReader reader = *this;
+  reader.text_ = text;
+  return reader;
 }
 
 bool LineReader::at_line_end() const { return position_ == text_.size() || is_line_end(text_[position_]); }
@@ -124,8 +130,16 @@ std::string_view LineReader::word() {
   return found;
 }
 
-double LineReader::number(std::string_view what) {
-  const std::string_view found = word();
+std::string_view LineReader::next_word() {
+  std::string_view found = word();
+  while (found.empty() && next_line()) found = word();
+  return found;
+}
+
+double LineReader::number(std::string_view what) { return number_of(word(), what); }
+double LineReader::next_number(std::string_view what) { return number_of(next_word(), what); }
+
+double LineReader::number_of(std::string_view found, std::string_view what) const {
   double value = 0;
   if (!parse_number(found, value)) fail_expected(what, found);
   return value;

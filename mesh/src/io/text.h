@@ -24,10 +24,18 @@ class LineReader {
   /// continues it) words come from the line below.
   std::string_view word();
 
+  /// The next word on this line or one below; empty at the end of the text.
+  std::string_view next_word();
+
   /// The next word as a number. "nan", "inf", "1.#IND" and the like are numbers, and so is what
   /// only overflows a double. `what` completes the error "expected ..., found ...".
   double number(std::string_view what);
+  /// The same, on this line or one below.
+  double next_number(std::string_view what);
   std::int64_t integer(std::string_view what);
+
+  /// The same place in a text that ends earlier, but not before it.
+  LineReader within(std::string_view text) const;
 
   /// Gives back the last `characters` of the word just read.
   void unread(std::size_t characters) { position_ -= characters; }
@@ -35,6 +43,8 @@ class LineReader {
   /// Byte offset of the next character, and how many there are from it on.
   std::size_t offset() const { return position_; }
   std::size_t remaining() const { return text_.size() - position_; }
+  /// All from the next character on.
+  std::string_view rest() const { return text_.substr(position_); }
   /// The last character of the line ending before this line: CR in files that know nothing else.
   char line_ending() const { return line_ending_; }
   std::size_t line() const { return line_; }
@@ -45,6 +55,7 @@ class LineReader {
   [[noreturn]] void fail_expected(std::string_view what, std::string_view found) const;
 
  private:
+  double number_of(std::string_view found, std::string_view what) const;
   bool at_line_end() const;
   bool at_comment(std::size_t begin) const;
   void skip_blanks();
@@ -64,6 +75,9 @@ std::string quoted(std::string_view word);
 
 /// Whether a word is a keyword given in lower case, whatever the word's case.
 bool is_keyword(std::string_view word, std::string_view keyword);
+
+/// Parses a number as LineReader::number() understands it; false if the word is none.
+bool parse_number(std::string_view word, double& value);
 
 /// Parses an optional sign and an integer that makes up the whole word; false if it is none.
 bool parse_integer(std::string_view word, std::int64_t& value);

@@ -1,7 +1,6 @@
 #include "rectilin/mesh/shapes.h"
 
 #include <array>
-#include <functional>
 #include <utility>
 
 #include "rectilin/base/random.h"
@@ -58,86 +57,72 @@ struct Finish {
   }
 };
 
-struct Maker {
-  std::string name, help;
-  std::function<Mesh(const Json& settings)> make;
-  std::function<std::vector<Parameters::Description>()> describe;
-};
-
-/// An options struct with its finish, bound together.
+/// A shape's own settings and those that all accept.
 template <class Shape>
 struct Finished {
   Shape shape;
   Finish finish;
-  Parameters parameters;
 
-  Finished() {
+  void bind(Parameters& parameters) {
     shape.bind(parameters);
     finish.bind(parameters);
   }
-  Finished(const Finished&) = delete;  // the parameters point into it
 
   Mesh build() const {
+    Mesh mesh;
     if constexpr (requires { shape.build(); }) {
-      return shape.build();
+      mesh = shape.build();
     } else {
       Random random = Random(finish.seed).fork(kShapeStream);
-      return shape.build(random);
+      mesh = shape.build(random);
     }
+    finish.apply(mesh);
+    return mesh;
   }
 };
 
-template <class Shape>
-Maker maker(const std::string& name, std::string help) {
-  const auto make = [name](const Json& settings) {
-    Finished<Shape> finished;
-    finished.parameters.set(settings, name);
-    try {
-      Mesh mesh = finished.build();
-      finished.finish.apply(mesh);
-      return mesh;
-    } catch (const ParameterError& error) {
-      throw ParameterError(name + ": " + error.what());
-    }
-  };
-  return {name, std::move(help), make, [] { return Finished<Shape>().parameters.describe(); }};
-}
+class Shapes {
+ public:
+  template <class Shape>
+  Shapes& add(const std::string& name, std::string help) {
+    table_.add(name, std::move(help), Finished<Shape>(), [name](const Finished<Shape>& shape) {
+      try {
+        return shape.build();
+      } catch (const ParameterError& error) {
+        throw ParameterError(name + ": " + error.what());
+      }
+    });
+    return *this;
+  }
+  const Factory<Mesh>& table() const { return table_; }
 
-const std::vector<Maker>& makers() {
-  using namespace shapes;
-  static const std::vector<Maker> all{
-      maker<Box>("box", "box about the origin, rectilinear"),
-      maker<LShape>("lshape", "L-shaped solid, rectilinear"),
-      maker<Stairs>("stairs", "solid flight of stairs, rectilinear"),
-      maker<SteppedPyramid>("stepped-pyramid", "square pyramid of steps, rectilinear (Fig. 15)"),
-      maker<Pyramid>("pyramid", "square pyramid"),
-      maker<Prism>("prism", "regular prism"),
-      maker<Cylinder>("cylinder", "circular cylinder: a regular prism of many sides"),
-      maker<CutCube>("cut-cube", "unit cube with a part cut off by a plane (Fig. 8)"),
-      maker<FilletedCube>("filleted-cube", "unit cube with rounded edges and corners (Fig. 9)"),
-      maker<Sphere>("sphere", "sphere"),
-      maker<Ellipsoid>("ellipsoid", "ellipsoid (Fig. 10)"),
-      maker<Torus>("torus", "torus about the z axis"),
-      maker<Blob>("blob", "bumpy star-shaped surface of any number of faces, random"),
-      maker<Soup>("soup", "loose random triangles"),
-  };
-  return all;
-}
+ private:
+  Factory<Mesh> table_{"shape"};
+};
 
 }  // namespace
 
-Mesh make_shape(const Spec& spec) {
-  for (const auto& maker : makers())
-    if (maker.name == spec.name) return maker.make(spec.settings);
-  std::string names;
-  for (const auto& maker : makers()) names += (names.empty() ? "" : ", ") + maker.name;
-  throw ParameterError("no shape '" + spec.name + "'; there are " + names);
+const Factory<Mesh>& shape_table() {
+  using namespace shapes;
+  static const Shapes all =
+      Shapes()
+          .add<Box>("box", "box about the origin, rectilinear")
+          .add<LShape>("lshape", "L-shaped solid, rectilinear")
+          .add<Stairs>("stairs", "solid flight of stairs, rectilinear")
+          .add<SteppedPyramid>("stepped-pyramid", "square pyramid of steps, rectilinear (Fig. 15)")
+          .add<Pyramid>("pyramid", "square pyramid")
+          .add<Prism>("prism", "regular prism")
+          .add<Cylinder>("cylinder", "circular cylinder: a regular prism of many sides")
+          .add<CutCube>("cut-cube", "unit cube with a part cut off by a plane (Fig. 8)")
+          .add<FilletedCube>("filleted-cube", "unit cube with rounded edges and corners (Fig. 9)")
+          .add<Sphere>("sphere", "sphere")
+          .add<Ellipsoid>("ellipsoid", "ellipsoid (Fig. 10)")
+          .add<Torus>("torus", "torus about the z axis")
+          .add<Blob>("blob", "bumpy star-shaped surface of any number of faces, random")
+          .add<Soup>("soup", "loose random triangles");
+  return all.table();
 }
 
-std::vector<ShapeInfo> list_shapes() {
-  std::vector<ShapeInfo> list;
-  for (const auto& maker : makers()) list.push_back({maker.name, maker.help, maker.describe()});
-  return list;
-}
+Mesh make_shape(const Spec& spec) { return shape_table().find(spec.name).make(spec.settings); }
 
 }  // namespace rectilin

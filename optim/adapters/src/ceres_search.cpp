@@ -8,7 +8,6 @@
 
 #include "graduated.h"
 #include "rectilin/optim/adapters/all_optimizers.h"
-#include "rectilin/optim/restarts.h"
 
 namespace rectilin {
 namespace {
@@ -18,20 +17,6 @@ struct CeresOptions {
   int iterations = 100;
   Graduation graduation = {};
   void bind(Parameters& table);
-};
-
-class CeresSearch final : public RestartedOptimizerWith<CeresOptions> {
- public:
-  using Options = CeresOptions;
-  static constexpr const char* kName = "ceres";
-
-  explicit CeresSearch(Options options = {}) : RestartedOptimizerWith(options) {}
-
-  std::string name() const override { return kName; }
-  Capabilities capabilities() const override {
-    return {.uses_domain = false, .needs_smooth = true, .local = options_.starts == 1};
-  }
-  void improve(const Rotation& start, Evaluator& evaluator, const Domain& domain, Random& random) const override;
 };
 
 /// The surrogate as a function of a unit quaternion (x, y, z, w).
@@ -70,16 +55,16 @@ void CeresOptions::bind(Parameters& table) {
   graduation.bind(table);
 }
 
-void CeresSearch::improve(const Rotation& start, Evaluator& evaluator, const Domain&, Random&) const {
+void descend(const CeresOptions& options, const Rotation& start, Evaluator& evaluator, const Domain&, Random&) {
   // Evaluate the true objective once, so that an interrupted run still has an incumbent.
   if (!evaluator.has_incumbent()) evaluator.value(start);
   Eigen::Quaterniond q = start.quaternion();
   ceres::GradientProblemSolver::Options solver;
   solver.logging_type = ceres::SILENT;
-  solver.max_num_iterations = options_.iterations;
+  solver.max_num_iterations = options.iterations;
   solver.function_tolerance = 1e-12;
-  for (int round = 0; round < options_.graduation.rounds && !evaluator.exhausted(); ++round) {
-    const ceres::GradientProblem problem(new Surrogate(evaluator, options_.graduation.at(round)),
+  for (int round = 0; round < options.graduation.rounds && !evaluator.exhausted(); ++round) {
+    const ceres::GradientProblem problem(new Surrogate(evaluator, options.graduation.at(round)),
                                          new ceres::EigenQuaternionManifold);  // owned by the problem
     ceres::GradientProblemSolver::Summary summary;
     ceres::Solve(solver, problem, q.coeffs().data(), &summary);
@@ -90,7 +75,11 @@ void CeresSearch::improve(const Rotation& start, Evaluator& evaluator, const Dom
 }  // namespace
 
 void add_ceres(Registry& registry) {
-  registry.add<CeresSearch>("Ceres' L-BFGS on the smooth surrogate, on the manifold of rotations");
+  registry.add(LocalMethod<CeresOptions>{.name = "ceres",
+                                         .help = "Ceres' L-BFGS on the smooth surrogate, on the manifold of rotations",
+                                         .capabilities = {.uses_domain = false, .needs_smooth = true},
+                                         .improve = descend,
+                                         .starts = &CeresOptions::starts});
 }
 
 }  // namespace rectilin

@@ -147,7 +147,7 @@ class NloptSearch : public OptimizerWith<NloptOptions> {
     Eigen::Vector3d x = domain.coordinates(start);
     if (!options_.gradient()) return minimise(task, allowance.remaining(), x, domain, evaluator);
 
-    // Whatever cuts the search off, the objective itself has been asked for.
+    // Evaluate the true objective once, so that an interrupted run still has an incumbent.
     if (!evaluator.has_incumbent()) evaluator.value(domain.rotation(x));
     if (options_.algorithm->local()) descend(task, allowance, x, domain, evaluator);
     else search_surrogate(task, allowance, x, domain, evaluator);

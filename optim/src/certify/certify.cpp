@@ -3,6 +3,7 @@
 #include "certify/branch_and_bound.h"
 #include "certify/optima.h"
 #include "certify/polish.h"
+#include "rectilin/optim/registry.h"
 
 namespace rectilin {
 
@@ -40,7 +41,7 @@ Certificate certificate_of(const bounding::ProofTree& proof, const CertifyResult
 
 CertifyResult certify(Evaluator& evaluator, const CertifyOptions& options, Certificate* certificate) {
   if (!evaluator.objective().has_cuts())
-    throw ParameterError(std::string(Certify::kName) + ": '" + evaluator.objective().name() + "' has no cuts");
+    throw ParameterError("certify: '" + evaluator.objective().name() + "' has no cuts");
   std::optional<bounding::ProofTree> proof;
   if (certificate) proof.emplace();
   CertifyResult result = bounding::BranchAndBound(evaluator, options, proof ? &*proof : nullptr).run();
@@ -57,6 +58,16 @@ CertifyResult certify(Evaluator& evaluator, const CertifyOptions& options, Certi
   return result;
 }
 
-void Certify::run(Evaluator& evaluator, const Domain&, Random&) const { certify(evaluator, options_); }
+GlobalMethod<CertifyOptions> certify_method() {
+  return {.name = "certify",
+          .help = "branch and bound with a proof: the global minimum to within a gap",
+          .capabilities =
+              {.uses_domain = false, .uses_random = false, .batches = true, .needs_cuts = true, .certifies = true},
+          .run = [](const CertifyOptions& options, Evaluator& evaluator, const Domain&, Random&) {
+            certify(evaluator, options);
+          }};
+}
+
+void add_certify(Registry& registry) { registry.add(certify_method()); }
 
 }  // namespace rectilin

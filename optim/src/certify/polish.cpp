@@ -74,7 +74,7 @@ std::vector<Condition> independent(const std::vector<Condition>& conditions, con
   return chosen;
 }
 
-/// Newton's method; of several solutions of too few conditions the nearest one.
+/// Newton's method; with fewer than three conditions, the minimum-norm step.
 Rotation solve(const std::vector<Condition>& conditions, Rotation frame) {
   const auto count = static_cast<Eigen::Index>(conditions.size());
   for (int step = 0; step < kNewtonSteps; ++step) {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "rectilin/base/parameters.h"
+#include "rectilin/base/factory.h"
 
 namespace rectilin {
 namespace {
@@ -77,9 +77,12 @@ const Domain& zone_domain() {
 }
 
 const Domain& domain_by_name(std::string_view name) {
-  for (const Domain* domain : {&paper_domain(), &covering_domain(), &zone_domain()})
+  std::vector<std::string> known;
+  for (const Domain* domain : {&paper_domain(), &covering_domain(), &zone_domain()}) {
     if (domain->name() == name) return *domain;
-  throw ParameterError("no domain '" + std::string(name) + "'; there are paper, covering, zone");
+    known.emplace_back(domain->name());
+  }
+  throw_unknown_name("domain", name, known);
 }
 
 }  // namespace rectilin

@@ -1,19 +1,8 @@
 #include "rectilin/optim/evaluator.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace rectilin {
-
-void Objective::cuts(std::span<const Rotation>, std::span<Cut>) const {
-  throw std::logic_error(name() + " has no cuts");
-}
-
-SmoothValue Objective::smooth(const Rotation&, double) const {
-  throw std::logic_error(name() + " has no smooth surrogate");
-}
-
-BestTurn Objective::best_turn(const Rotation&, int) const { throw std::logic_error(name() + " has no best turns"); }
 
 Evaluator::Evaluator(const Objective& objective, Budget budget, std::stop_token stop)
     : objective_(objective), budget_(budget), stop_(std::move(stop)) {}
@@ -36,6 +25,7 @@ void Evaluator::values(std::span<const Rotation> rotations, std::span<double> va
   const std::uint64_t before = costs_.evaluations();
   for (std::size_t i = 0; i < count; ++i) account(rotations[i], values[i], before + (i + 1) * Costs::kPerValue);
   costs_.values += count;
+  tell();
   std::ranges::fill(values.subspan(count), std::numeric_limits<double>::infinity());
 }
 
@@ -45,6 +35,7 @@ void Evaluator::cuts(std::span<const Rotation> rotations, std::span<Cut> cuts) {
   const std::uint64_t before = costs_.evaluations();
   for (std::size_t i = 0; i < count; ++i) account(rotations[i], cuts[i].value, before + (i + 1) * Costs::kPerCut);
   costs_.cuts += count;
+  tell();
   std::ranges::fill(cuts.subspan(count), Cut{std::numeric_limits<double>::infinity(), Eigen::Matrix3d::Zero()});
 }
 
@@ -53,6 +44,7 @@ SmoothValue Evaluator::smooth(const Rotation& rotation, double width) {
   ++costs_.smooths;
   const SmoothValue smooth = objective_.smooth(rotation, width);
   digest_.add(smooth.value);
+  tell();
   return smooth;
 }
 
@@ -62,6 +54,7 @@ double Evaluator::turn(Rotation& rotation, int k) {
   rotation = best.rotation;
   ++costs_.turns;
   account(rotation, best.value, costs_.evaluations());
+  tell();
   return best.value;
 }
 
@@ -69,6 +62,7 @@ void Evaluator::raise_lower_bound(double bound) {
   if (lower_ && bound <= *lower_) return;
   lower_ = bound;
   record(costs_.evaluations());
+  tell();
 }
 
 bool Evaluator::exhausted() const {
@@ -87,6 +81,12 @@ double Evaluator::seconds() const {
 std::size_t Evaluator::affordable(std::size_t count, std::uint64_t price) const {
   if (exhausted()) return 0;
   return static_cast<std::size_t>(std::min<std::uint64_t>(count, remaining() / price));
+}
+
+void Evaluator::tell() {
+  if (!observer_ || seconds() < next_telling_) return;
+  next_telling_ = seconds() + 0.1;
+  observer_(*this);
 }
 
 void Evaluator::account(const Rotation& rotation, double value, std::uint64_t evaluations) {

@@ -21,4 +21,9 @@ void improve_from_starts(const LocalSearch& local, int starts, bool from_incumbe
   }
 }
 
+void bind_starts(Parameters& table, int& starts, std::string what) {
+  what += "; 0: until the budget is spent, 10,000 evaluations if it has no limit";
+  table.integer("starts", starts, 0, 1000000000, std::move(what));
+}
+
 }  // namespace rectilin

@@ -38,6 +38,12 @@ double cpu_clock(int threads) {
 }  // namespace
 
 RunRecord run_optimizer(const Optimizer& optimizer, const Objective& objective, const RunSettings& settings) {
+  return run_search(optimizer, objective, settings,
+                    [&](Evaluator& evaluator, Random& random) { optimizer.run(evaluator, *settings.domain, random); });
+}
+
+RunRecord run_search(const Optimizer& optimizer, const Objective& objective, const RunSettings& settings,
+                     const std::function<void(Evaluator& evaluator, Random& random)>& search) {
   RunRecord record;
   record.objective = objective.name();
   record.optimizer = optimizer.name();
@@ -48,10 +54,11 @@ RunRecord run_optimizer(const Optimizer& optimizer, const Objective& objective, 
 
   const double cpu_before = cpu_clock(record.threads);
   Evaluator evaluator(objective, settings.budget, settings.stop);
+  if (settings.on_progress) evaluator.watch(settings.on_progress);
   Random random(settings.seed);
   try {
     require_needs(optimizer, objective);
-    optimizer.run(evaluator, *settings.domain, random);
+    search(evaluator, random);
     if (settings.stop.stop_requested()) record.outcome = RunRecord::Outcome::kStopped;
     else if (evaluator.exhausted()) record.outcome = RunRecord::Outcome::kBudget;
   } catch (const std::exception& e) {
@@ -63,7 +70,7 @@ RunRecord run_optimizer(const Optimizer& optimizer, const Objective& objective, 
 
   record.incumbent = evaluator.incumbent();
   record.incumbent.rotation = reduce_to_zone(record.incumbent.rotation);
-  record.lower = evaluator.lower_bound();
+  record.value_bound = evaluator.lower_bound();
   record.merit =
       evaluator.has_incumbent() ? objective.merit(record.incumbent.value) : std::numeric_limits<double>::quiet_NaN();
   record.costs = evaluator.costs();
@@ -104,7 +111,7 @@ Json to_json(const RunRecord& record) {
           {"outcome", to_string(record.outcome)},
           {"error", record.error},
           {"value", finite_or_null(record.incumbent.value)},
-          {"lower", record.lower ? Json(*record.lower) : Json(nullptr)},
+          {"value_bound", record.value_bound ? Json(*record.value_bound) : Json(nullptr)},
           {"merit", finite_or_null(record.merit)},
           {"rotation", to_json(record.incumbent.rotation)},
           {"evaluations", record.costs.evaluations()},

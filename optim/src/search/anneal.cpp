@@ -1,13 +1,35 @@
-#include "search/anneal.h"
-
+// Simulated annealing.
 #include <algorithm>
 #include <cmath>
 
 #include "rectilin/optim/allowance.h"
+#include "rectilin/optim/registry.h"
 #include "search/turned.h"
 
 namespace rectilin {
 namespace {
+
+/// Simulated annealing (Kirkpatrick, Gelatt, Vecchi 1983) by random turns of the frame.
+/// Temperatures are relative to the spread of the objective over random rotations, so that the same
+/// settings suit every mesh; the length of the turns follows the share of moves accepted (as in
+/// Corana et al. 1987). If only a time limit is set it anneals again and again, each time
+/// twice as long (Allowance::plan()), and goes on from the incumbent.
+struct AnnealingOptions {
+  enum class Cooling { kGeometric, kLinear, kFast, kBoltzmann };
+  enum class Reheat { kBest, kRandom };
+
+  int evaluations = 0;
+  Cooling cooling = Cooling::kGeometric;
+  double hot = 0.5;    ///< first temperature, in standard deviations of the objective
+  double cold = 1e-7;  ///< last temperature, likewise
+  int cycles = 4;      ///< coolings the evaluations are shared out to
+  Reheat reheat = Reheat::kRandom;
+  double acceptance = 0.4;  ///< share of accepted moves that the step length is adapted to
+  double step = 0.5;        ///< first and longest step: standard deviation of each component of a turn, radians
+
+  void bind(Parameters& table);
+  void check() const;  ///< the last temperature is not above the first
+};
 
 struct State {
   Rotation rotation;
@@ -85,8 +107,6 @@ void anneal(const AnnealingOptions& options, const Allowance& allowance, Evaluat
   }
 }
 
-}  // namespace
-
 void AnnealingOptions::bind(Parameters& table) {
   Allowance::bind(table, evaluations);
   table
@@ -105,16 +125,24 @@ void AnnealingOptions::bind(Parameters& table) {
       .real("step", step, 1e-9, 3, "first and longest step: standard deviation of each component of a turn, radians");
 }
 
-Annealing::Annealing(Options options) : OptimizerWith(options) {
-  if (options.cold > options.hot)
-    throw ParameterError("anneal: cold=" + std::to_string(options.cold) +
-                         " is above hot=" + std::to_string(options.hot));
+void AnnealingOptions::check() const {
+  if (cold > hot) throw ParameterError("anneal: cold=" + std::to_string(cold) + " is above hot=" + std::to_string(hot));
 }
 
-void Annealing::run(Evaluator& evaluator, const Domain&, Random& random) const {
-  const Allowance allowance(evaluator, options_.evaluations);
+void anneal_in_rounds(const AnnealingOptions& options, Evaluator& evaluator, const Domain&, Random& random) {
+  const Allowance allowance(evaluator, options.evaluations);
   for (int round = 0; !allowance.spent(); ++round)
-    anneal(options_, Allowance(evaluator, allowance.plan(round)), evaluator, random);
+    anneal(options, Allowance(evaluator, allowance.plan(round)), evaluator, random);
+}
+
+}  // namespace
+
+void add_anneal(Registry& registry) {
+  registry.add(
+      GlobalMethod<AnnealingOptions>{.name = "anneal",
+                                     .help = "simulated annealing on rotations, with a step length that adapts",
+                                     .capabilities = {.uses_domain = false},
+                                     .run = anneal_in_rounds});
 }
 
 }  // namespace rectilin

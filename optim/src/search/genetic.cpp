@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "rectilin/optim/allowance.h"
+#include "rectilin/optim/registry.h"
 
 namespace rectilin {
 namespace {
@@ -114,6 +115,18 @@ class Breeder {
   std::vector<double> wheel_;
 };
 
+void search(const GeneticOptions& options, Evaluator& evaluator, const Domain& domain, Random& random) {
+  Breeder breeder(options, random);
+  const Allowance allowance(evaluator, 0);
+  const bool endless = options.generations == 0;
+  breeder.evaluate(evaluator, domain);
+  for (int generation = 1; endless ? !allowance.spent() : generation < options.generations && !evaluator.exhausted();
+       generation += !endless) {
+    breeder.breed();
+    breeder.evaluate(evaluator, domain);
+  }
+}
+
 }  // namespace
 
 void GeneticOptions::bind(Parameters& table) {
@@ -133,22 +146,19 @@ void GeneticOptions::bind(Parameters& table) {
       .integer("elitism", elitism, 0, 1000000, "best individuals that go on unchanged");
 }
 
-GeneticAlgorithm::GeneticAlgorithm(Options options) : OptimizerWith(options) {
-  if (options.elitism >= options.population)
-    throw ParameterError("ga: elitism=" + std::to_string(options.elitism) + " leaves no room in a population of " +
-                         std::to_string(options.population));
+void GeneticOptions::check() const {
+  if (elitism >= population)
+    throw ParameterError("ga: elitism=" + std::to_string(elitism) + " leaves no room in a population of " +
+                         std::to_string(population));
 }
 
-void GeneticAlgorithm::run(Evaluator& evaluator, const Domain& domain, Random& random) const {
-  Breeder breeder(options_, random);
-  const Allowance allowance(evaluator, 0);
-  const bool endless = options_.generations == 0;
-  breeder.evaluate(evaluator, domain);
-  for (int generation = 1; endless ? !allowance.spent() : generation < options_.generations && !evaluator.exhausted();
-       generation += !endless) {
-    breeder.breed();
-    breeder.evaluate(evaluator, domain);
-  }
+GlobalMethod<GeneticOptions> genetic_algorithm() {
+  return {.name = "ga",
+          .help = "the paper's genetic algorithm (section 4.3): binary chromosomes in a domain's box",
+          .capabilities = {.batches = true},
+          .run = search};
 }
+
+void add_genetic(Registry& registry) { registry.add(genetic_algorithm()); }
 
 }  // namespace rectilin

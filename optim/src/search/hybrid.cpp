@@ -1,13 +1,26 @@
-#include "search/hybrid.h"
-
+// Genetic search whose individuals are simplices.
 #include <algorithm>
 #include <vector>
 
 #include "rectilin/optim/allowance.h"
+#include "rectilin/optim/registry.h"
 #include "search/simplex.h"
 
 namespace rectilin {
 namespace {
+
+/// The search of Chang, Gorissen and Melchior (2011) for the smallest box round a solid, here for
+/// this objective: a population of simplices of four rotations. The better half breeds, by swapping
+/// vertices and by mixing them on the group, and the children mutate by some steps of Nelder and
+/// Mead's method. A population that no longer gains is replaced by a new one.
+struct HybridOptions {
+  int evaluations = 0;
+  int population = 30;  ///< simplices, M
+  int steps = 20;       ///< Nelder-Mead iterations a generation, K
+  int patience = 5;     ///< generations without gain that end a population
+  double gain = 1e-6;   ///< relative decrease of the value that counts as one
+  void bind(Parameters& table);
+};
 
 using Vertices = std::array<Simplex::Vertex, 4>;
 
@@ -63,8 +76,6 @@ void evolve(const HybridOptions& options, const Allowance& allowance, Evaluator&
   }
 }
 
-}  // namespace
-
 void HybridOptions::bind(Parameters& table) {
   Allowance::bind(table, evaluations);
   table.integer("population", population, 2, 1000000, "simplices")
@@ -73,9 +84,19 @@ void HybridOptions::bind(Parameters& table) {
       .real("gain", gain, 0, 1, "relative decrease of the value that counts as gain");
 }
 
-void HybridSearch::run(Evaluator& evaluator, const Domain&, Random& random) const {
-  const Allowance allowance(evaluator, options_.evaluations);
-  while (!allowance.spent()) evolve(options_, allowance, evaluator, random);
+void hybrid(const HybridOptions& options, Evaluator& evaluator, const Domain&, Random& random) {
+  const Allowance allowance(evaluator, options.evaluations);
+  while (!allowance.spent()) evolve(options, allowance, evaluator, random);
+}
+
+}  // namespace
+
+void add_hybrid(Registry& registry) {
+  registry.add(GlobalMethod<HybridOptions>{
+      .name = "hybrid",
+      .help = "genetic search with Nelder-Mead steps on rotations (Chang, Gorissen, Melchior 2011)",
+      .capabilities = {.uses_domain = false},
+      .run = hybrid});
 }
 
 }  // namespace rectilin

@@ -1,10 +1,32 @@
-#include "search/multistart.h"
-
+// A local method from many starts.
 #include <algorithm>
 
-#include "rectilin/optim/restarts.h"
+#include "rectilin/optim/registry.h"
 
 namespace rectilin {
+namespace {
+
+/// A local method from many uniformly random starts. The defaults, thirty runs of Nelder and Mead's
+/// method, are how this measure is computed in public code.
+struct MultistartOptions {
+  std::string local = "nelder-mead";
+  int starts = 30;
+  void bind(Parameters& table);
+};
+
+class Multistart final : public OptimizerWith<MultistartOptions> {
+ public:
+  /// Throws ParameterError if `local` is not a local optimizer of `registry`.
+  Multistart(MultistartOptions options, const Registry& registry);
+
+  std::string name() const override { return "multistart"; }
+  Capabilities capabilities() const override;
+  void run(Evaluator& evaluator, const Domain& domain, Random& random) const override;
+
+ private:
+  std::shared_ptr<const Optimizer> optimizer_;
+  const LocalSearch* local_;  ///< the same object
+};
 
 void MultistartOptions::bind(Parameters& table) {
   table.custom(
@@ -18,12 +40,12 @@ void MultistartOptions::bind(Parameters& table) {
   bind_starts(table, starts, "random starts");
 }
 
-Multistart::Multistart(Options options, const Registry& registry) : OptimizerWith(std::move(options)) {
+Multistart::Multistart(MultistartOptions options, const Registry& registry) : OptimizerWith(std::move(options)) {
   std::string spec = options_.local;
   std::ranges::replace(spec, ',', '&');
   optimizer_ = registry.make(spec);
   local_ = dynamic_cast<const LocalSearch*>(optimizer_.get());
-  if (!local_) throw ParameterError(std::string(kName) + ": '" + options_.local + "' is not a local optimizer");
+  if (!local_) throw ParameterError("multistart: '" + options_.local + "' is not a local optimizer");
 }
 
 Capabilities Multistart::capabilities() const {
@@ -35,6 +57,15 @@ Capabilities Multistart::capabilities() const {
 
 void Multistart::run(Evaluator& evaluator, const Domain& domain, Random& random) const {
   improve_from_starts(*local_, options_.starts, /*from_incumbent=*/false, evaluator, domain, random);
+}
+
+}  // namespace
+
+void add_multistart(Registry& registry) {
+  registry.add("multistart", "a local method from many random starts", MultistartOptions(),
+               [](MultistartOptions options, const Registry& all) {
+                 return std::make_unique<Multistart>(std::move(options), all);
+               });
 }
 
 }  // namespace rectilin

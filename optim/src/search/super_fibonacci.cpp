@@ -1,16 +1,38 @@
+// Rotations of a super-Fibonacci spiral.
 #include "search/super_fibonacci.h"
 
 #include <cmath>
 #include <numbers>
 
 #include "rectilin/optim/allowance.h"
+#include "rectilin/optim/registry.h"
 #include "search/sampling.h"
 
 namespace rectilin {
+namespace {
+
+/// The rotations of a super-Fibonacci spiral (Alexa 2022): a sequence on the sphere of unit
+/// quaternions, spread more evenly than random ones. The number of points is part of the sequence:
+/// all change with it. If only a time limit is set, one spiral after the other, each of twice
+/// as many points.
+struct SuperFibonacciOptions {
+  int count = 0;
+  void bind(Parameters& table);
+};
 
 void SuperFibonacciOptions::bind(Parameters& table) {
   table.integer("count", count, 0, 2000000000, "points; 0: what is left of the budget, 10,000 if it has no limit");
 }
+
+void search_spirals(const SuperFibonacciOptions& options, Evaluator& evaluator, const Domain&, Random&) {
+  const Allowance allowance(evaluator, options.count);
+  for (int round = 0; !allowance.spent(); ++round) {
+    const std::uint64_t count = allowance.plan(round);
+    evaluate_all(evaluator, count, [count](std::uint64_t i) { return super_fibonacci(i, count); });
+  }
+}
+
+}  // namespace
 
 Rotation super_fibonacci(std::uint64_t i, std::uint64_t count) {
   // Two circles turned through by angles without a common measure: psi^4 = psi + 4 (Alexa 2022,
@@ -22,12 +44,12 @@ Rotation super_fibonacci(std::uint64_t i, std::uint64_t count) {
   return Rotation::from_quaternion({q * std::cos(beta), r * std::sin(alpha), r * std::cos(alpha), q * std::sin(beta)});
 }
 
-void SuperFibonacci::run(Evaluator& evaluator, const Domain&, Random&) const {
-  const Allowance allowance(evaluator, options_.count);
-  for (int round = 0; !allowance.spent(); ++round) {
-    const std::uint64_t count = allowance.plan(round);
-    evaluate_all(evaluator, count, [count](std::uint64_t i) { return super_fibonacci(i, count); });
-  }
+void add_super_fibonacci(Registry& registry) {
+  registry.add(
+      GlobalMethod<SuperFibonacciOptions>{.name = "super-fibonacci",
+                                          .help = "evenly spread rotations (Alexa 2022)",
+                                          .capabilities = {.uses_domain = false, .uses_random = false, .batches = true},
+                                          .run = search_spirals});
 }
 
 }  // namespace rectilin

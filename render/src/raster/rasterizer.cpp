@@ -10,6 +10,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "raster/depth_plane.h"
 #include "raster/triangle_rows.h"
 #include "views/placed.h"
 
@@ -19,13 +20,6 @@ namespace {
 constexpr float kSteps = 32767;               // of depth, from the middle plane to either end
 constexpr std::int16_t kNothing = INT16_MIN;  // background while drawing
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
-/// A triangle's plane: depth over the picture, kept within the depths of the corners.
-struct Plane {
-  float z, across, down;  ///< at the corner (x, y), and by a subpixel
-  float low, high;
-  std::int32_t x, y;
-};
 
 /// Rounds to the nearest whole number, ties to even: in single precision, numbers about 1.5 * 2^23 are whole. Exact,
 /// and the same on every machine that adds as IEEE 754 has it.
@@ -43,9 +37,7 @@ std::size_t DepthImage::covered_pixels() const {
 ViewRenderer::ViewRenderer(const Mesh& mesh, const Ball& ball, const RenderOptions& options) : options_(options) {
   if (options.size < 1 || options.size > kLargestPicture)
     throw std::invalid_argument("a picture has from 1 to " + std::to_string(kLargestPicture) + " pixels in a row");
-  if (!(ball.radius >= 0) || !std::isfinite(ball.radius) || !ball.centre.allFinite())
-    throw std::invalid_argument("a picture shows a ball with a finite centre and radius");
-
+  const ToUnitBall placed(ball);
   std::vector<std::uint32_t> number(mesh.vertices.size(), kNone);
   std::vector<std::uint32_t> used;
   triangles_.reserve(mesh.triangles.size());
@@ -62,16 +54,10 @@ ViewRenderer::ViewRenderer(const Mesh& mesh, const Ball& ball, const RenderOptio
     triangles_.push_back(corners);
   }
 
-  // Halved, so that no difference overflows, and brought near the radius by a power of two before it is divided.
   const std::size_t n = used.size();
   points_.resize(3 * n);
-  const int exponent = ball.radius > 0 ? std::ilogb(ball.radius) : 0;
-  const double radius = ball.radius > 0 ? std::scalbn(ball.radius, -exponent) : 1;
   for (std::size_t i = 0; i < n; ++i) {
-    const Vector3 half = times_power(mesh.vertices[used[i]], -1) - times_power(ball.centre, -1);
-    const Vector3 p = times_power(half, 1 - exponent) / radius;
-    if (!(p.lpNorm<Eigen::Infinity>() <= kReach))
-      throw std::invalid_argument("the mesh reaches too far out of the picture");
+    const Vector3 p = placed(mesh.vertices[used[i]], kReach);
     for (std::size_t k = 0; k < 3; ++k) points_[k * n + i] = p[static_cast<Eigen::Index>(k)];
   }
   corners_.resize(n);
@@ -105,29 +91,22 @@ void ViewRenderer::draw_all() {
   const auto width = static_cast<std::size_t>(options_.size);
   for (const Triangle& t : triangles_) {
     const Corner &a = corners_[t[0]], &b = corners_[t[1]], &c = corners_[t[2]];
-    Plane plane;
+    const RasterPoint pa{a.x, a.y}, pb{b.x, b.y}, pc{c.x, c.y};
+    DepthPlane plane;
     triangle_rows<kRule>(
-        RasterPoint{a.x, a.y}, RasterPoint{b.x, b.y}, RasterPoint{c.x, c.y}, grid,
+        pa, pb, pc, grid,
         [&](std::int64_t area) {
-          plane = {a.z, 0, 0, std::min({a.z, b.z, c.z}), std::max({a.z, b.z, c.z}), a.x, a.y};
-          if (area == 0) return;
-          const double inverse = 1 / static_cast<double>(area);
-          const double bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
-          const double bz = double{b.z} - double{a.z}, cz = double{c.z} - double{a.z};
-          plane.across = static_cast<float>((bz * cy - cz * by) * inverse);
-          plane.down = static_cast<float>((cz * bx - bz * cx) * inverse);
+          plane = DepthPlane(pa, pb, pc, {a.z, b.z, c.z}, area);
+          // Within the range of depths, so that whole numbers of 16 bits hold them.
+          plane.low = std::clamp(plane.low, -kSteps, kSteps), plane.high = std::clamp(plane.high, -kSteps, kSteps);
         },
         [&](int y, int first, int last) {
-          // Clamped to the range of depths, so that whole numbers of 16 bits hold them.
-          const float low = std::clamp(plane.low, -kSteps, kSteps), high = std::clamp(plane.high, -kSteps, kSteps);
-          const float start = plane.z + plane.down * static_cast<float>(grid.centre(y) - plane.y);
-          const std::int32_t offset = grid.centre(first) - plane.x;
+          const float start = plane.row_start(grid.centre(y));
+          const std::int32_t x = grid.centre(first);
           std::int16_t* front = front_.data() + static_cast<std::size_t>(y) * width + first;
           std::int16_t* back = kBoth ? back_.data() + static_cast<std::size_t>(y) * width + first : nullptr;
           for (int i = 0; i <= last - first; ++i) {
-            const float z = start + plane.across * static_cast<float>(offset + i * kSubpixels);
-            const float kept = z < low ? low : z > high ? high : z;
-            const auto depth = static_cast<std::int16_t>(rounded(kept));
+            const auto depth = static_cast<std::int16_t>(rounded(plane.at(start, x + i * kSubpixels)));
             front[i] = std::max(front[i], depth);
             if (kBoth) back[i] = std::max(back[i], static_cast<std::int16_t>(-depth));
           }
@@ -203,7 +182,7 @@ void visit_views(const Mesh& mesh, const Ball& ball, const ViewSphere& sphere, c
   for_each_pair(mesh, ball, sphere, options, [&](ViewRenderer& renderer, std::size_t k) {
     // Taken out for the time of the visit: if it waits for a parallel loop, this thread may begin another direction.
     std::pair<DepthImage, DepthImage> images = std::move(buffers.local());
-    renderer.render_both(frame_towards(sphere.directions()[k]) * pose, images.first, images.second);
+    renderer.render_both(frame_towards(sphere.directions()[k], options.up) * pose, images.first, images.second);
     visit(k, images.first);
     visit(sphere.opposite()[k], images.second);
     buffers.local() = std::move(images);
@@ -214,7 +193,8 @@ std::vector<DepthImage> render_views(const Mesh& mesh, const Ball& ball, const V
                                      const RenderOptions& options, const Rotation& pose) {
   std::vector<DepthImage> images(sphere.size());
   for_each_pair(mesh, ball, sphere, options, [&](ViewRenderer& renderer, std::size_t k) {
-    renderer.render_both(frame_towards(sphere.directions()[k]) * pose, images[k], images[sphere.opposite()[k]]);
+    renderer.render_both(frame_towards(sphere.directions()[k], options.up) * pose, images[k],
+                         images[sphere.opposite()[k]]);
   });
   return images;
 }

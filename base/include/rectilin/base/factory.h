@@ -39,20 +39,26 @@ class Factory {
   /// `kind` is what errors call an entry, in the singular.
   explicit Factory(std::string kind) : kind_(std::move(kind)) {}
 
-  /// `make(options, context...)` makes the thing from `defaults` with the settings applied.
-  template <class Options, class Make>
-  Factory& add(std::string name, std::string help, Options defaults, Make make) {
+  /// `maker(options, context...)` makes the thing from `defaults` with the settings applied.
+  template <class Options, class Maker>
+  Factory& add(std::string name, std::string help, Options defaults, Maker maker) {
+    return add(entry(std::move(name), std::move(help), std::move(defaults), std::move(maker)));
+  }
+
+  /// The same entry outside of a table.
+  template <class Options, class Maker>
+  static Entry entry(std::string name, std::string help, Options defaults, Maker maker) {
     Options shown = defaults;
     Parameters table;
     shown.bind(table);
-    auto from_settings = [name, defaults, make](const Json& settings, Context... context) -> T {
+    auto from_settings = [name, defaults, maker](const Json& settings, Context... context) -> T {
       Options options = defaults;
       Parameters fields;
       options.bind(fields);
       fields.set(settings, name);
-      return make(std::move(options), context...);
+      return maker(std::move(options), context...);
     };
-    return add(Entry{std::move(name), std::move(help), table.describe(), std::move(from_settings)});
+    return {std::move(name), std::move(help), table.describe(), std::move(from_settings)};
   }
 
   Factory& add(Entry entry) {

@@ -1,4 +1,4 @@
-// Rotations of the coordinate frame, and the domains by which optimizers see them.
+// Rotations of the coordinate frame.
 #pragma once
 
 #include <Eigen/Core>

@@ -63,7 +63,7 @@ Finding check_definition(const TestMesh& tested, Random random, EulerConvention 
     });
     const Rotation rotation = convention(a[0], a[1], a[2]);
     const double expected = static_cast<double>(projected / area);
-    const double margin = rounding - std::abs(ratio_at(*tested.objective, rotation) - expected);
+    const double margin = rounding - std::abs(tested.objective->value(rotation) - expected);
     if (margin < finding.margin) finding.margin = margin, finding.rotation = rotation;
   }
   finding.margin = std::min(finding.margin, 0.0);  // an allowance for rounding is no margin
@@ -82,7 +82,7 @@ Finding check_angles(const TestMesh& tested, Random random) {
       projected += v.norm() * (std::abs(std::cos(psi)) + std::abs(std::sin(psi) * std::cos(phi)) +
                                std::abs(std::sin(psi) * std::sin(phi)));
     }
-    const double margin = -std::abs(ratio_at(*tested.objective, rotation) - projected / vectors.total);
+    const double margin = -std::abs(tested.objective->value(rotation) - projected / vectors.total);
     if (margin < finding.margin) finding.margin = margin, finding.rotation = rotation;
   }
   return finding;

@@ -48,7 +48,8 @@ double seconds_per_face(const ProjectedArea& objective, Random random) {
 }  // namespace
 
 LateGain gain_after_150(const Objective& objective, std::uint64_t seed) {
-  const RunRecord run = run_optimizer(GeneticAlgorithm(), objective, {.seed = seed, .domain = &paper_domain()});
+  const RunRecord run =
+      run_optimizer(*make_optimizer(genetic_algorithm()), objective, {.seed = seed, .domain = &paper_domain()});
   const auto evaluations = static_cast<std::uint64_t>(kStableGeneration * GeneticOptions().population);
   double then = run.trace.front().value;
   for (const TracePoint& point : run.trace)
@@ -88,7 +89,7 @@ std::vector<Finding> check_linear_cost(Random random) {
     seconds[i] = seconds_per_face(objective, random);
     GeneticOptions few;
     few.generations = 10;
-    evaluations[i] = run_optimizer(GeneticAlgorithm(few), objective, {}).costs.evaluations();
+    evaluations[i] = run_optimizer(*make_optimizer(genetic_algorithm(), few), objective, {}).costs.evaluations();
   }
   const double growth = seconds[1] / seconds[0];
   Finding finding{kSlack - growth, sources[1], nullptr, {}, "time per face times " + std::to_string(growth)};

@@ -65,7 +65,7 @@ Finding check_domain_on_mesh(const TestMesh& tested, Random random, const Domain
   for (int i = 0; i < 8; ++i) {
     const Rotation wanted = i == 0 ? tested.best.rotation : random_rotation(random);
     const Rotation reached = domain.rotation(domain.coordinates(wanted));
-    const double margin = -std::abs(ratio_at(*tested.objective, reached) - ratio_at(*tested.objective, wanted));
+    const double margin = -std::abs(tested.objective->value(reached) - tested.objective->value(wanted));
     if (margin < finding.margin) finding.margin = margin, finding.rotation = wanted;
   }
   return finding;

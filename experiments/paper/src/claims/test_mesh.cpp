@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "rectilin/measure/measure.h"
 #include "rectilin/mesh/source.h"
-#include "rectilin/optim/certify.h"
 
 namespace rectilin::claims_detail {
 
@@ -26,12 +26,8 @@ void bring_to_scale(Mesh& mesh) {
 }  // namespace
 
 Enclosure enclose(const ProjectedArea& objective, double gap, int cells) {
-  Evaluator evaluator(objective);
-  CertifyOptions options;
-  options.gap = gap;
-  options.cells = cells;
-  const CertifyResult result = certify(evaluator, options);
-  return {result.incumbent.rotation, result.incumbent.value, result.lower};
+  const Rectilinearity result = measure(objective, {.certify = {.gap = gap, .cells = cells}});
+  return {result.rotation, result.run.incumbent.value, result.run.value_bound.value()};
 }
 
 Enclosure enclose(const Mesh& mesh, double gap) { return enclose(ProjectedArea(area_vectors(mesh)), gap); }
@@ -52,12 +48,6 @@ TestMesh make_test_mesh(const std::string& source) { return make_test_mesh(load_
 std::string posed(const std::string& shape, Random& random) {
   const char separator = shape.find('?') == std::string::npos ? '?' : '&';
   return "shape:" + shape + separator + "rotate=random&seed=" + std::to_string(random.below(1'000'000));
-}
-
-double ratio_at(const Objective& objective, const Rotation& rotation) {
-  double value = 0;
-  objective.values({&rotation, 1}, {&value, 1});
-  return value;
 }
 
 double coordinate_rounding(const Mesh& mesh, double area, bool moved) {

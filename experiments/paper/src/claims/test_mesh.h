@@ -48,9 +48,6 @@ TestMesh make_test_mesh(Mesh mesh, std::string name);
 /// The source of a built-in shape ("box?x=2") in a random pose.
 std::string posed(const std::string& shape, Random& random);
 
-/// P/S at one rotation.
-double ratio_at(const Objective& objective, const Rotation& rotation);
-
 /// Error of P/S where area vectors have been computed in double precision: the rounding of edges
 /// and cross products over S. Large only for meshes of slivers. With `moved`, that of coordinates
 /// rounded anew (after a rotation) as well: large for a mesh far from the origin.

@@ -1,13 +1,13 @@
 // Runs the tests of claims on meshes and on shapes of their own.
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <mutex>
 
 #include "claims/tests.h"
+#include "rectilin/base/batch.h"
+#include "rectilin/base/factory.h"
 #include "rectilin/base/fnv1a.h"
 #include "rectilin/mesh/source.h"
 #include "rectilin/paper/claims.h"
@@ -28,9 +28,10 @@ struct Job {
 };
 
 std::vector<Job> jobs_for(const std::vector<std::string>& wanted) {
+  std::vector<std::string> known;
+  for (const Claim& claim : claims()) known.push_back(claim.id);
   for (const std::string& id : wanted)
-    if (std::ranges::none_of(claims(), [&](const Claim& claim) { return claim.id == id; }))
-      throw ParameterError("no claim '" + id + "'; 'rectilin validate --list' shows them");
+    if (std::ranges::find(known, id) == known.end()) throw_unknown_name("claim", id, known);
   std::vector<Job> jobs;
   for (const Claim& claim : claims()) {
     if (!wanted.empty() && std::ranges::find(wanted, claim.id) == wanted.end()) continue;
@@ -90,11 +91,8 @@ class Run {
   }
 
  private:
-  /// What one mesh gave: a finding for each job that applies to it, or an error.
-  struct Tested {
-    std::vector<std::optional<Finding>> findings;
-    std::string error;
-  };
+  /// What one mesh gave: a finding for each job that applies to it.
+  using Findings = std::vector<std::optional<Finding>>;
 
   void test_shapes() {
     tbb::parallel_for(std::size_t{0}, jobs_.size(), [&](std::size_t i) {
@@ -111,45 +109,25 @@ class Run {
   }
 
   void test_meshes() {
-    const std::size_t at_once = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-    std::size_t next = 0;
-    const auto take = [&](tbb::flow_control& flow) {
-      if (next == sources_.size() || settings_.stop.stop_requested()) flow.stop();
-      return next++;
-    };
-    const auto test = [&](std::size_t i) {
-      std::shared_ptr<Tested> tested;
-      tbb::this_task_arena::isolate([&] { tested = std::make_shared<Tested>(test_mesh(sources_[i])); });
-      step(sources_[i]);
-      return tested;
-    };
     // In order, so that what is found first among equals does not depend on threads.
-    const auto keep = [&](const std::shared_ptr<Tested>& tested) {
-      if (!tested->error.empty()) validation_.errors.push_back(tested->error);
-      for (std::size_t i = 0; i < tested->findings.size(); ++i)
-        if (tested->findings[i]) tallies_[i].add(std::move(*tested->findings[i]));
+    const auto keep = [&](std::size_t i, Outcome<Findings>&& outcome) {
+      if (!outcome.value) validation_.errors.push_back(outcome.error);
+      else
+        for (std::size_t k = 0; k < outcome.value->size(); ++k)
+          if ((*outcome.value)[k]) tallies_[k].add(std::move(*(*outcome.value)[k]));
+      step(sources_[i]);
     };
-    tbb::parallel_pipeline(
-        at_once, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, take) &
-                     tbb::make_filter<std::size_t, std::shared_ptr<Tested>>(tbb::filter_mode::parallel, test) &
-                     tbb::make_filter<std::shared_ptr<Tested>, void>(tbb::filter_mode::serial_in_order, keep));
+    for_each_in_order<Findings>(sources_, [&](std::size_t i) { return test_mesh(sources_[i]); }, keep,
+                                {.stop = settings_.stop});
   }
 
-  Tested test_mesh(const std::string& source) const {
-    Tested tested;
-    try {
-      const TestMesh mesh = make_test_mesh(source);
-      for (const Job& job : jobs_) {
-        tested.findings.emplace_back();
-        if (job.test->on_mesh)
-          tested.findings.back() = job.test->on_mesh(mesh, stream(settings_.seed, job.claim->id, source));
-      }
-    } catch (const std::exception& e) {
-      tested.findings.clear();
-      tested.error = e.what();
-      if (!tested.error.starts_with(source)) tested.error.insert(0, source + ": ");
-    }
-    return tested;
+  Findings test_mesh(const std::string& source) const {
+    const TestMesh mesh = make_test_mesh(source);
+    Findings findings;
+    for (const Job& job : jobs_)
+      findings.push_back(job.test->on_mesh ? job.test->on_mesh(mesh, stream(settings_.seed, job.claim->id, source))
+                                           : std::nullopt);
+    return findings;
   }
 
   void step(const std::string& what) {

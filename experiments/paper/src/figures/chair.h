@@ -1,4 +1,4 @@
-// A chair, to be changed.
+// The chair-like test model of Fig. 12.
 #pragma once
 
 #include "rectilin/mesh/mesh.h"

@@ -27,6 +27,15 @@ Experiment fig17();
 Experiment fig18();
 Experiment fig19();
 Experiment fig20();
+Experiment gallery();
+Experiment table1();
+Experiment fig21();
+Experiment table2();
+Experiment table3();
+Experiment table4();
+Experiment table5();
+Experiment table6();
+Experiment fig22();
 Experiment gap();
 Experiment pose_accuracy();
 Experiment shortfall();
@@ -36,19 +45,12 @@ Experiment shortfall();
 /// about a second.
 template <class Settings>
 Experiment make_experiment(const std::string& name, std::string title, std::string takes, const std::string& quick) {
-  Settings defaults;
-  Parameters shown;
-  defaults.bind(shown);
-  const auto run = [name](const Json& settings, const ExperimentContext& context) {
-    Settings own;
-    Parameters table;
-    own.bind(table);
-    table.set(settings, name);
-    return std::as_const(own).run(context);
-  };
+  auto entry = Factory<ExperimentResult, const ExperimentContext&>::entry(
+      name, std::move(title), Settings(),
+      [](const Settings& settings, const ExperimentContext& context) { return settings.run(context); });
   std::string spec = name;
   if (!quick.empty()) spec.append("?").append(quick);
-  return {name, std::move(title), std::move(takes), shown.describe(), Spec::parse(spec).settings, run};
+  return {std::move(entry), std::move(takes), Spec::parse(spec).settings};
 }
 
 }  // namespace rectilin::figures

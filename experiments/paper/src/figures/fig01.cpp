@@ -21,11 +21,11 @@ struct Introduction {
     ExperimentResult result;
     result.says = "R " + course(results) + ":";
     for (std::size_t i = 0; i < samples.size(); ++i)
-      result.says.append(i > 0 ? ", " : " ").append(samples[i].label + " " + four_digits(results[i].rectilinearity));
+      result.says.append(i > 0 ? ", " : " ").append(samples[i].label + " " + four_digits(results[i].result.value));
     result.says += " (paper: in this order)";
     result.data = to_json(samples, results);
     result.sheets = {sheet("fig1", "From the least rectilinear to the most.", samples, results)};
-    result.errors = errors(samples, results);
+    result.errors = errors(results);
     return result;
   }
 };

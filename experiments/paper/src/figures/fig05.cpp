@@ -30,7 +30,7 @@ struct Spheres {
     std::vector<double> faces, values;
     for (std::size_t i = 0; i < series.members.size(); ++i) {
       faces.push_back(series.members[i].number);
-      values.push_back(measured.members[i].rectilinearity);
+      values.push_back(measured.members[i].result.value);
     }
     char text[160];
     std::snprintf(text, sizeof text,

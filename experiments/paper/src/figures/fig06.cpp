@@ -63,12 +63,12 @@ struct Convergence {
       samples.push_back({model.title, model.source, [mesh = model.mesh] { return *mesh; }});
     const std::vector<Measured> certified = measure_all(samples, context);
     result.data = to_json(samples, certified);
-    for (std::string& error : errors(samples, certified)) result.errors.push_back(std::move(error));
+    for (std::string& error : errors(certified)) result.errors.push_back(std::move(error));
 
     std::vector<Course> courses;
     for (std::size_t m = 0; m < models.size(); ++m) {
       if (!certified[m].error.empty()) continue;
-      courses.push_back({models[m].title, certified[m].upper, run_all(*models[m].mesh, context)});
+      courses.push_back({models[m].title, certified[m].upper(), run_all(*models[m].mesh, context)});
       result.data[m]["final"] = finals(courses.back());
     }
     if (courses.empty()) throw MeshError(result.errors.front());
@@ -98,7 +98,8 @@ struct Convergence {
       RunSettings settings;
       settings.domain = &domain_by_name(domain);
       settings.seed = Random(context.seed).fork(static_cast<std::uint64_t>(run)).seed();
-      all[run] = figures::course(run_optimizer(GeneticAlgorithm(genetic), objective, settings), genetic);
+      all[run] =
+          figures::course(run_optimizer(*make_optimizer(genetic_algorithm(), genetic), objective, settings), genetic);
     });
     return all;
   }

@@ -30,7 +30,7 @@ using Times = std::array<std::array<double, kGenerations.size()>, kKinds.size()>
 double seconds(const Objective& objective, int generations) {
   GeneticOptions options;
   options.generations = generations;
-  return run_optimizer(GeneticAlgorithm(options), objective, {}).cpu_seconds;
+  return run_optimizer(*make_optimizer(genetic_algorithm(), options), objective, {}).cpu_seconds;
 }
 
 /// A tree is built by the run that asks for it first, so its time is in that run's.

@@ -22,7 +22,7 @@ struct Ranking {
   ExperimentResult run(const ExperimentContext& context) const {
     std::vector<Sample> samples;
     if (context.meshes.empty()) {
-      for (const ShapeInfo& shape : list_shapes())  // a finer sphere takes seconds
+      for (const auto& shape : shape_table().entries())  // a finer sphere takes seconds
         samples.push_back(
             sample(shape.name, "shape:" + shape.name + (shape.name == "sphere" ? "?subdivisions=3" : "")));
     } else {
@@ -31,7 +31,7 @@ struct Ranking {
     }
     std::vector<Measured> results = measure_all(samples, context);
     ExperimentResult result;
-    result.errors = errors(samples, results);
+    result.errors = errors(results);
     rank(samples, results);
     if (samples.empty()) throw MeshError(result.errors.front());
 
@@ -42,8 +42,8 @@ struct Ranking {
       results[i].picture = thumbnail(samples[i].make(), *samples[i].pictured);
     }
     result.says = std::to_string(samples.size()) + " meshes ranked by R, from " + samples.front().label + " (" +
-                  four_digits(results.front().rectilinearity) + ") to " + samples.back().label + " (" +
-                  four_digits(results.back().rectilinearity) + "); the paper shows such a ranking";
+                  four_digits(results.front().result.value) + ") to " + samples.back().label + " (" +
+                  four_digits(results.back().result.value) + "); the paper shows such a ranking";
     result.data = to_json(samples, results);
     result.sheets = {sheet("fig11", "From the most rectilinear to the least.", samples, results, count <= 16 ? 4 : 7)};
     return result;
@@ -54,7 +54,7 @@ struct Ranking {
     std::vector<std::size_t> order(results.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::erase_if(order, [&](std::size_t i) { return !results[i].error.empty(); });
-    std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return results[i].rectilinearity; });
+    std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return results[i].result.value; });
     std::vector<Sample> ranked;
     std::vector<Measured> values;
     for (const std::size_t i : order) {

@@ -71,7 +71,7 @@ struct Disturbances {
     result.plots = {curves(families, results)};
     result.sheets = {sheet("fig12-meshes", "Noise is given in percent of the largest extent.", samples, results,
                            static_cast<int>(samples.size() / families.size()))};
-    for (std::string& error : errors(samples, results)) result.errors.push_back(std::move(error));
+    for (std::string& error : errors(results)) result.errors.push_back(std::move(error));
     return result;
   }
 
@@ -98,7 +98,7 @@ struct Disturbances {
     std::string noise;
     for (const Family& family : families) {
       const auto change = [&](std::size_t i) {
-        return std::abs(results[i].rectilinearity - results[family.original].rectilinearity);
+        return std::abs(results[i].result.value - results[family.original].result.value);
       };
       for (const std::size_t i : family.topology) topology = std::max(topology, change(i));
       noise.append(noise.empty() ? "" : ", ").append(four_digits(change(family.noise[kSmall])));
@@ -116,7 +116,7 @@ struct Disturbances {
       std::vector<Csv::Cell> row = {i == 0 ? 0 : 100 * kNoise[i - 1]};
       for (const Family& family : families) {
         const Measured& r = results[i == 0 ? family.original : family.noise[i - 1]];
-        row.emplace_back(r.error.empty() ? r.rectilinearity : NAN);
+        row.emplace_back(r.error.empty() ? r.result.value : NAN);
       }
       csv.row(row);
     }

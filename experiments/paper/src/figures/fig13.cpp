@@ -44,7 +44,7 @@ struct Deletion {
     result.data = to_json(samples, results);
     result.plots = {curves(models, spreads), changes(models, spreads)};
     result.sheets = {sheet("fig13-meshes", "The meshes without some of their faces (first run).", samples, results)};
-    for (std::string& error : errors(samples, results)) result.errors.push_back(std::move(error));
+    for (std::string& error : errors(results)) result.errors.push_back(std::move(error));
     return result;
   }
 
@@ -68,11 +68,11 @@ struct Deletion {
     std::vector<std::vector<Spread>> spreads(models);
     auto next = results.begin();
     for (auto& of_model : spreads) {
-      const double whole = next->rectilinearity;
+      const double whole = next->result.value;
       for (std::size_t i = 0; i < kDeleted.size(); ++i) {
         std::vector<double> values;
         for (int run = 0; run < runs; ++run, ++next)
-          if (next->error.empty()) values.push_back(next->rectilinearity);
+          if (next->error.empty()) values.push_back(next->result.value);
         Spread& spread = of_model.emplace_back();
         if (values.empty()) continue;
         const auto [least, largest] = std::ranges::minmax(values);

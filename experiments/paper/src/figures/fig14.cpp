@@ -37,14 +37,14 @@ struct Simplification {
       }
     const std::vector<Measured> results = measure_all(samples, context);
     for (std::size_t i = 0; i < samples.size(); ++i)  // what was asked for is not always reached
-      samples[i].label = models[i / kKept.size()].title + ", " + std::to_string(results[i].faces) + " faces";
+      samples[i].label = models[i / kKept.size()].title + ", " + std::to_string(results[i].result.faces) + " faces";
 
     result.says = "R changes by at most " + change(models, results, 0.1) + " at 10 % of the faces and " +
                   change(models, results, 0.01) + " at 1 % (paper: little effect)";
     result.data = to_json(samples, results);
     result.plots = {curves(models, results)};
     result.sheets = {sheet("fig14-meshes", "The meshes, simplified.", samples, results, 3)};
-    for (std::string& error : errors(samples, results)) result.errors.push_back(std::move(error));
+    for (std::string& error : errors(results)) result.errors.push_back(std::move(error));
     return result;
   }
 
@@ -56,7 +56,7 @@ struct Simplification {
     for (std::size_t m = 0; m < models.size(); ++m) {
       const Measured* of_model = &results[m * kKept.size()];
       if (of_model[at].error.empty())
-        largest = std::max(largest, std::abs(of_model[at].rectilinearity - of_model[0].rectilinearity));
+        largest = std::max(largest, std::abs(of_model[at].result.value - of_model[0].result.value));
     }
     return four_digits(largest);
   }
@@ -72,8 +72,8 @@ struct Simplification {
         const Measured& r = results[m * kKept.size() + i];
         const bool known = r.error.empty();
         const auto all = static_cast<double>(models[m].mesh->triangles.size());
-        row.insert(row.end(),
-                   {r.faces, known ? 100 * static_cast<double>(r.faces) / all : NAN, known ? r.rectilinearity : NAN});
+        row.insert(row.end(), {r.result.faces, known ? 100 * static_cast<double>(r.result.faces) / all : NAN,
+                               known ? r.result.value : NAN});
       }
       csv.row(row);
     }

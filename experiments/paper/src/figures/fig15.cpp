@@ -26,10 +26,10 @@ struct SteppedPyramids {
     }
     series.compared = {sample("smooth", "shape:pyramid")};
     MeasuredSeries measured = measure(series, context);
-    const auto least = std::ranges::min_element(measured.members, {}, &Measured::rectilinearity);
-    measured.result.says = "up to " + std::to_string(steps) + " steps R is " + four_digits(least->rectilinearity) +
+    const auto least = std::ranges::min_element(measured.members, {}, &Measured::value);
+    measured.result.says = "up to " + std::to_string(steps) + " steps R is " + four_digits(least->value()) +
                            " or more (paper: 1), for the smooth pyramid " +
-                           number(measured.compared.front().rectilinearity) + " (paper: 0.4270)";
+                           number(measured.compared.front().result.value) + " (paper: 0.4270)";
     return measured.result;
   }
 };

@@ -5,8 +5,6 @@
 
 #include "figures/experiments.h"
 #include "figures/sample.h"
-#include "rectilin/measure/projected_area.h"
-#include "rectilin/optim/certify.h"
 
 namespace rectilin::figures {
 namespace {
@@ -21,15 +19,13 @@ struct Trajectory {
 constexpr double kThinnest = 0.98;  // a step is kept if it lowers the gap by this factor
 
 Trajectory follow(const Sample& sample, const ExperimentContext& context) {
-  const ProjectedArea objective(area_vectors(sample.make()));
-  CertifyOptions options;
-  options.gap = context.gap;
-  Evaluator evaluator(objective, {}, context.stop);
-  Trajectory path{sample.label, {}, {}, {}, certify(evaluator, options)};
+  const Rectilinearity measured =
+      measure(sample.make(), {.certify = {.gap = context.gap}, .run = {.stop = context.stop}});
   if (context.stop.stop_requested()) throw Stopped();
+  Trajectory path{sample.label, {}, {}, {}, *measured.proof};
   double last = std::numeric_limits<double>::infinity();
   for (const CertifyResult::Step& step : path.result.trajectory) {
-    const double width = objective.merit(step.lower) - objective.merit(step.value);
+    const double width = rectilinearity(step.lower) - rectilinearity(step.value);
     const bool end = &step == &path.result.trajectory.back();
     if (!std::isfinite(step.value) || !(width < kThinnest * last || end)) continue;
     last = width;

@@ -110,7 +110,7 @@ struct Accuracy {
     for (const std::string& name : names) finders.push_back(pose::pose_methods().make(name));
     if (finders.empty()) throw ParameterError("pose-accuracy: no methods");
     std::map<std::string, std::string> groups;
-    if (!classes.empty()) groups = read_classes(classes);
+    if (!classes.empty()) groups = classes_by_model(retrieval::read_classification(classes));
     std::vector<std::string> sources = context.meshes;
     if (sources.empty())
       sources = {"shape:box?x=1&y=2&z=3", "shape:pyramid", "shape:cylinder?sides=32", "shape:cut-cube"};
@@ -149,7 +149,7 @@ struct Accuracy {
         [&](std::size_t i) {
           return measure(sources[i], i, class_of(sources[i], groups).value_or("all"), finders, context.seed);
         },
-        deliver, {.stop = context.stop, .on_progress = context.on_progress});
+        deliver, context.loop());
     if (done < sources.size()) throw Stopped();
     if (models == 0) throw MeshError(result.errors.empty() ? "no models" : result.errors.front());
     Json rows = summary(names, poses);

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <filesystem>
 #include <numbers>
-
-#include "rectilin/mesh/mesh.h"
 
 namespace rectilin::figures {
 namespace {
@@ -53,24 +51,10 @@ Share consistency(const std::vector<ScoredPose>& poses, double degrees) {
   return share;
 }
 
-std::map<std::string, std::string> read_classes(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  const auto fail = [&](const std::string& reason) { throw MeshError(file.string() + ": " + reason); };
-  if (!in) fail("cannot be read");
-  std::string word, version;
-  std::size_t groups = 0, models = 0;
-  if (!(in >> word >> version >> groups >> models) || word != "PSB") fail("does not begin with PSB 1");
+std::map<std::string, std::string> classes_by_model(const retrieval::Classification& classification) {
   std::map<std::string, std::string> classes;
-  for (std::size_t g = 0; g < groups; ++g) {
-    std::string name, parent;
-    std::size_t count = 0;
-    if (!(in >> name >> parent >> count)) fail("ends before class " + std::to_string(g + 1));
-    for (std::size_t i = 0; i < count; ++i) {
-      std::string model;
-      if (!(in >> model)) fail("ends within class " + name);
-      classes[model] = name;
-    }
-  }
+  for (std::size_t i = 0; i < classification.models.size(); ++i)
+    classes[classification.models[i]] = classification.classes[classification.class_of[i]].name;
   return classes;
 }
 

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "rectilin/base/rotation.h"
+#include "rectilin/retrieval/classification.h"
 
 namespace rectilin::figures {
 
@@ -45,9 +45,8 @@ Share surer_half(std::vector<ScoredPose> poses, double degrees, Rule rule);
 /// models' own axes: a method may be consistent and wrong. Poses of equal rank among those of their model are compared.
 Share consistency(const std::vector<ScoredPose>& poses, double degrees);
 
-/// The classes of a `.cla` file of the Princeton Shape Benchmark: from a model's number, as text, to its class. Throws
-/// MeshError with file and reason for anything else.
-std::map<std::string, std::string> read_classes(const std::filesystem::path& file);
+/// The class of each model in a classification, by the model's name.
+std::map<std::string, std::string> classes_by_model(const retrieval::Classification& classification);
 
 /// The class of a mesh file by its name: the stem, or the stem less a leading m; nothing if it is in none.
 std::optional<std::string> class_of(const std::string& source, const std::map<std::string, std::string>& classes);

@@ -69,7 +69,7 @@ std::vector<PosedModel> pose_all(const Defaults& sources, const std::vector<std:
         models.push_back(outcome.value ? std::move(*outcome.value)
                                        : PosedModel{sources[i].first, names[i], outcome.error, {}});
       },
-      {.stop = context.stop, .on_progress = context.on_progress});
+      context.loop());
   if (done < names.size()) throw Stopped();
   check(models);
   return models;

@@ -1,11 +1,7 @@
 #include "figures/sample.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <cmath>
 #include <cstdio>
-#include <mutex>
 
 #include "rectilin/laboratory/results.h"
 #include "rectilin/measure/projected_area.h"
@@ -16,26 +12,12 @@
 namespace rectilin::figures {
 namespace {
 
-Measured measure(const Sample& sample, const ExperimentContext& context) {
+Measured measured(const Sample& sample, const ExperimentContext& context) {
   Measured result;
-  try {
-    const Mesh mesh = sample.make();
-    if (sample.pictured) result.picture = thumbnail(mesh, *sample.pictured);
-    const ProjectedArea objective(area_vectors(mesh));
-    RunSettings settings;
-    settings.stop = context.stop;
-    const RunRecord run = run_optimizer(Certify({.gap = context.gap}), objective, settings);
-    if (run.outcome == RunRecord::Outcome::kStopped) throw Stopped();
-    if (!run.error.empty()) throw MeshError(run.error);
-    result.faces = objective.vectors().faces;
-    result.directions = objective.vectors().size();
-    result.rectilinearity = run.merit;
-    result.lower = rectilinearity(run.incumbent.value + 3 * objective.cut_bounds().error);
-    result.upper = rectilinearity(run.lower.value());
-    result.rotation = run.incumbent.rotation;
-  } catch (const MeshError& e) {
-    result.error = e.what();
-  }
+  const Mesh mesh = sample.make();
+  if (sample.pictured) result.picture = thumbnail(mesh, *sample.pictured);
+  result.result = measure(mesh, {.certify = {.gap = context.gap}, .run = {.stop = context.stop}});
+  if (result.result.run.outcome == RunRecord::Outcome::kStopped) throw Stopped();
   return result;
 }
 
@@ -81,22 +63,17 @@ std::vector<Model> load_models(const ExperimentContext& context, const Defaults&
 }
 
 std::vector<Measured> measure_all(const std::vector<Sample>& samples, const ExperimentContext& context) {
+  std::vector<std::string> names;
+  for (const Sample& sample : samples) names.push_back(sample.origin);
   std::vector<Measured> results(samples.size());
-  std::mutex mutex;
-  std::size_t done = 0;
-  const auto report = [&](std::size_t finished, const std::string& text) {
-    const std::lock_guard lock(mutex);
-    done += finished;
-    if (context.on_progress) context.on_progress(done, samples.size(), text);
-  };
-  tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t i) {
-    if (context.stop.stop_requested()) throw Stopped();
-    report(0, samples[i].label);
-    // A thread that waits for the loops inside one measurement must not begin another: memory would
-    // grow.
-    tbb::this_task_arena::isolate([&] { results[i] = measure(samples[i], context); });
-    report(1, samples[i].label);
-  });
+  const std::size_t done = for_each_in_order<Measured>(
+      names, [&](std::size_t i) { return measured(samples[i], context); },
+      [&](std::size_t i, Outcome<Measured>&& outcome) {
+        if (outcome.value) results[i] = std::move(*outcome.value);
+        else results[i].error = outcome.error;
+      },
+      context.loop());
+  if (done < samples.size()) throw Stopped();
   return results;
 }
 
@@ -107,11 +84,11 @@ Json to_json(const std::vector<Sample>& samples, const std::vector<Measured>& re
     Json row = {{"label", samples[i].label}, {"origin", samples[i].origin}};
     if (!r.error.empty()) row["error"] = r.error;
     else
-      row.update({{"faces", r.faces},
-                  {"directions", r.directions},
-                  {"rectilinearity", r.rectilinearity},
-                  {"lower", r.lower},
-                  {"upper", r.upper}});
+      row.update({{"faces", r.result.faces},
+                  {"directions", r.result.directions},
+                  {"rectilinearity", r.result.value},
+                  {"lower", r.lower()},
+                  {"upper", r.upper()}});
     list.push_back(std::move(row));
   }
   return list;
@@ -124,22 +101,18 @@ Sheet sheet(std::string name, std::string caption, const std::vector<Sample>& sa
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Measured& r = results[i];
     const bool known = r.error.empty();
-    const auto number = [known](double x) { return known ? x : NAN; };
-    csv.row({samples[i].label, samples[i].origin, r.error, r.faces, r.directions, number(r.rectilinearity),
-             number(r.lower), number(r.upper)});
-    if (samples[i].pictured && known) cells.push_back({r.picture, samples[i].label, four_digits(r.rectilinearity)});
+    csv.row({samples[i].label, samples[i].origin, r.error, r.result.faces, r.result.directions,
+             known ? r.result.value : NAN, known ? r.lower() : NAN, known ? r.upper() : NAN});
+    if (samples[i].pictured && known) cells.push_back({r.picture, samples[i].label, four_digits(r.result.value)});
   }
   ContactSheet drawn = contact_sheet(cells, columns);
   return {std::move(name), std::move(caption), std::move(csv), std::move(drawn.svg), drawn.width};
 }
 
-std::vector<std::string> errors(const std::vector<Sample>& samples, const std::vector<Measured>& results) {
+std::vector<std::string> errors(const std::vector<Measured>& results) {
   std::vector<std::string> lines;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const std::string &error = results[i].error, &origin = samples[i].origin;
-    if (error.empty()) continue;
-    lines.push_back(error.starts_with(origin) ? error : origin + ": " + error);
-  }
+  for (const Measured& result : results)
+    if (!result.error.empty()) lines.push_back(result.error);
   return lines;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "rectilin/base/rotation.h"
-#include "rectilin/mesh/mesh.h"
+#include "rectilin/measure/measure.h"
 #include "rectilin/paper/experiment.h"
 #include "rectilin/render/thumbnail.h"
 #include "rectilin/report/contact_sheet.h"
@@ -60,12 +60,13 @@ std::vector<Model> load_models(const ExperimentContext& context, const Defaults&
 Defaults made_and_scanned(int faces);
 
 struct Measured {
-  std::string error;  ///< if it could not be measured: then nothing else is set
-  std::size_t faces = 0, directions = 0;
-  double rectilinearity = 0;    ///< R at `rotation`
-  double lower = 0, upper = 0;  ///< certified: lower <= R(M) <= upper
-  Rotation rotation;
-  std::string picture;  ///< a PNG file if it was to be shown
+  std::string error;      ///< if it could not be measured: then nothing else is set
+  Rectilinearity result;  ///< with certified bounds
+  std::string picture;    ///< a PNG file if it was to be shown
+
+  double value() const { return result.value; }
+  double lower() const { return result.bounds->lower; }
+  double upper() const { return result.bounds->upper; }
 };
 
 /// R of each, certified, several at a time; the same for any number of threads. Throws Stopped.
@@ -78,8 +79,8 @@ Json to_json(const std::vector<Sample>& samples, const std::vector<Measured>& re
 Sheet sheet(std::string name, std::string caption, const std::vector<Sample>& samples,
             const std::vector<Measured>& results, int columns = 4);
 
-/// The errors among the results, each with its sample's name.
-std::vector<std::string> errors(const std::vector<Sample>& samples, const std::vector<Measured>& results);
+/// The errors among the results.
+std::vector<std::string> errors(const std::vector<Measured>& results);
 
 /// R as the paper prints it, with four digits.
 std::string four_digits(double rectilinearity);

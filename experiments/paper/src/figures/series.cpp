@@ -16,9 +16,9 @@ NamedPlot curve(const Series& series, const MeasuredSeries& measured) {
   for (std::size_t i = 0; i < series.members.size(); ++i) {
     const Measured& m = measured.members[i];
     const bool known = m.error.empty();
-    std::vector<Csv::Cell> row = {series.members[i].number, known ? m.rectilinearity : NAN, known ? m.lower : NAN,
-                                  known ? m.upper : NAN, m.faces};
-    for (const Measured& other : measured.compared) row.push_back(other.error.empty() ? other.rectilinearity : NAN);
+    std::vector<Csv::Cell> row = {series.members[i].number, known ? m.result.value : NAN, known ? m.lower() : NAN,
+                                  known ? m.upper() : NAN, m.result.faces};
+    for (const Measured& other : measured.compared) row.push_back(other.error.empty() ? other.result.value : NAN);
     csv.row(row);
   }
   Axis x = series.axis;
@@ -44,12 +44,12 @@ void show_some(std::vector<Sample>& samples, std::size_t count) {
 }  // namespace
 
 std::string course(const std::vector<Measured>& members) {
-  const auto& order = &Measured::rectilinearity;
+  const auto& order = &Measured::value;
   const char* verb = std::ranges::is_sorted(members, std::less(), order)      ? "rises"
                      : std::ranges::is_sorted(members, std::greater(), order) ? "falls"
                                                                               : "goes";
-  return std::string(verb) + " from " + four_digits(members.front().rectilinearity) + " to " +
-         four_digits(members.back().rectilinearity);
+  return std::string(verb) + " from " + four_digits(members.front().result.value) + " to " +
+         four_digits(members.back().result.value);
 }
 
 MeasuredSeries measure(const Series& series, const ExperimentContext& context) {
@@ -66,7 +66,7 @@ MeasuredSeries measure(const Series& series, const ExperimentContext& context) {
   measured.result.data = to_json(all, results);
   for (std::size_t i = 0; i < series.members.size(); ++i)
     measured.result.data[i][series.axis.label] = series.members[i].number;
-  measured.result.errors = errors(all, results);
+  measured.result.errors = errors(results);
   measured.result.sheets = {sheet(series.name + "-meshes", "The meshes, or some of them, with their R.", all, results)};
   measured.result.plots = {curve(series, measured)};
   return measured;

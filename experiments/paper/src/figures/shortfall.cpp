@@ -1,19 +1,14 @@
 // By how much searches fall short of the certified optimum: the paper's genetic algorithm on the paper's box and on one
 // that covers all orientations, and thirty restarts of Nelder and Mead's method.
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 
 #include "figures/experiments.h"
 #include "rectilin/laboratory/plan.h"
 #include "rectilin/laboratory/statistics.h"
-#include "rectilin/measure/projected_area.h"
+#include "rectilin/measure/measure.h"
 #include "rectilin/mesh/source.h"
 #include "rectilin/optim/adapters/all_optimizers.h"
-#include "rectilin/optim/run_record.h"
 
 namespace rectilin::figures {
 namespace {
@@ -40,27 +35,21 @@ struct Row {
   std::vector<double> evaluations;
 };
 
-Row measure(const std::string& mesh, const ExperimentContext& context) {
+Row measured(const std::string& mesh, const ExperimentContext& context) {
   Row row;
   row.mesh = mesh;
-  try {
-    const ProjectedArea objective(area_vectors(load_mesh(mesh).mesh));
-    RunSettings settings;
-    settings.seed = instance(context.seed, mesh, 0).run_seed;
-    settings.stop = context.stop;
-    const RunRecord proof =
-        run_optimizer(*all_optimizers().make("certify", {{"gap", resolution(context)}}), objective, settings);
-    row.optimum = proof.merit;
-    for (const Search& search : searches()) {
-      settings.domain = &search.domain;
-      const RunRecord run = run_optimizer(*all_optimizers().make(search.optimizer), objective, settings);
-      row.shortfall.push_back(std::max(0.0, proof.merit - run.merit));
-      row.evaluations.push_back(static_cast<double>(run.costs.evaluations()));
-    }
-    if (context.stop.stop_requested()) throw Stopped();
-  } catch (const MeshError& e) {
-    row.error = e.what();
+  const ProjectedArea objective(area_vectors(load_mesh(mesh).mesh));
+  const RunSettings settings = {.seed = instance(context.seed, mesh, 0).run_seed, .stop = context.stop};
+  row.optimum = measure(objective, {.certify = {.gap = resolution(context)}, .run = settings}).value;
+  for (const Search& search : searches()) {
+    MeasureOptions options = measure_options(search.optimizer, all_optimizers());
+    options.run = settings;
+    options.run.domain = &search.domain;
+    const Rectilinearity found = measure(objective, options);
+    row.shortfall.push_back(std::max(0.0, row.optimum - found.value));
+    row.evaluations.push_back(static_cast<double>(found.run.costs.evaluations()));
   }
+  if (context.stop.stop_requested()) throw Stopped();
   return row;
 }
 
@@ -144,14 +133,13 @@ struct Shortfall {
   ExperimentResult run(const ExperimentContext& context) const {
     const std::vector<std::string> meshes = context.meshes.empty() ? own_meshes(poses) : context.meshes;
     std::vector<Row> rows(meshes.size());
-    std::mutex mutex;
-    std::size_t done = 0;
-    tbb::parallel_for(std::size_t{0}, meshes.size(), [&](std::size_t i) {
-      if (context.stop.stop_requested()) throw Stopped();
-      tbb::this_task_arena::isolate([&] { rows[i] = measure(meshes[i], context); });
-      const std::lock_guard lock(mutex);
-      if (context.on_progress) context.on_progress(++done, meshes.size(), meshes[i]);
-    });
+    const auto keep = [&](std::size_t i, Outcome<Row>&& outcome) {
+      if (outcome.value) rows[i] = std::move(*outcome.value);
+      else rows[i].error = outcome.error;
+    };
+    const std::size_t done = for_each_in_order<Row>(
+        meshes, [&](std::size_t i) { return measured(meshes[i], context); }, keep, context.loop());
+    if (done < meshes.size()) throw Stopped();
 
     ExperimentResult result;
     for (const Row& row : rows)

@@ -4,10 +4,11 @@
 #include <tbb/cache_aligned_allocator.h>
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "rectilin/base/rotation.h"
-#include "rectilin/mesh/mesh.h"
+#include "rectilin/mesh/mesh_view.h"
 
 namespace rectilin {
 
@@ -38,11 +39,17 @@ struct AreaVectors {
 
 /// Area vectors of a mesh. Two directions are one if they differ by at most kParallel radians, which
 /// is rounding level: a merge changes P by less than kParallel times the merged area. The result does
-/// not depend on the number of threads. Throws MeshError if the total area is zero.
-AreaVectors area_vectors(const Mesh& mesh);
+/// not depend on the number of threads. Throws MeshError if the total area is zero or a corner is not finite.
+AreaVectors area_vectors(const MeshView& mesh);
 
 /// The same from vectors given as they are (up to scale), e.g. to test the objective without a mesh.
 AreaVectors area_vectors(std::vector<Vector3> vectors);
+
+/// The same for normals with weights, such as those of a point cloud or a Gauss map: vector i has the direction of
+/// normal i, whatever its length, and the length weights[i]; all are 1 if there are no weights. Throws MeshError, which
+/// names the place, for a normal that is zero or not finite and for a weight that is negative or not finite, for another
+/// number of weights than of normals, and if all weights are zero.
+AreaVectors area_vectors_of_normals(std::span<const Vector3> normals, std::span<const double> weights = {});
 
 /// The area vectors of the mesh turned by `rotation`, each at its old place.
 AreaVectors rotated(const AreaVectors& vectors, const Rotation& rotation);

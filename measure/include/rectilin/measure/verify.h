@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "rectilin/mesh/mesh.h"
+#include "rectilin/mesh/mesh_view.h"
 
 namespace rectilin {
 
@@ -20,10 +20,10 @@ struct Verdict {
 /// Does the text (JSON, see papers/certificate.md) prove an interval for R of this mesh? Shares nothing with the search
 /// but the mesh type: plain loops over the unmerged faces, and a bound by Bernstein coefficients. Never throws for
 /// what the text says, whatever it says. About 1.5 ns for a face and a direction.
-Verdict verify_certificate(std::string_view text, const Mesh& mesh);
+Verdict verify_certificate(std::string_view text, const MeshView& mesh);
 
 /// Identifies a mesh: FNV-1a (64 bits) over the coordinates of the triangles' corners in order. It guards against
 /// mistakes, not malice; the proof itself is checked on the mesh.
-std::string mesh_digest(const Mesh& mesh);
+std::string mesh_digest(const MeshView& mesh);
 
 }  // namespace rectilin

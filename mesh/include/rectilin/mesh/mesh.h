@@ -25,7 +25,15 @@ struct Mesh {
   std::vector<Triangle> triangles;
 };
 
-/// What a reader found, repaired or dropped on the way from a file to a Mesh. All are counts.
+/// What a file with a scene graph (glTF, 3MF) says of the whole. All are 0 for other formats.
+struct SceneReport {
+  double metres_per_unit = 0;  ///< the file's unit of length, by which the mesh has been scaled: it is in metres
+  std::size_t instances = 0;   ///< meshes placed in the scene, each as often as it is placed
+  std::size_t skipped = 0;     ///< parts of them that are points or lines, or have no positions
+};
+
+/// What a reader found, repaired or left out on the way from a file to a Mesh: counts (all but `scene`), and where the first of a kind
+/// is. summary() (mesh_report.h) says in one line what was left out.
 struct MeshReport {
   std::size_t vertices = 0;               ///< vertex records in the file (STL: three for each triangle)
   std::size_t polygons = 0;               ///< face records in the file, strips counted by triangle
@@ -38,9 +46,16 @@ struct MeshReport {
   std::size_t duplicate_vertices = 0;     ///< vertices at a position that an earlier one has, kept;
                                           ///< none in STL, whose repeated corners are welded
   std::size_t unreferenced_vertices = 0;  ///< vertices that no triangle uses, kept
+  std::size_t odd_facets = 0;             ///< STL: facets of other than three corners, treated as polygons
+  std::size_t unknown_statements = 0;     ///< statements (OBJ) or elements (PLY) that may hold surface and are not read
+  std::string first_unknown;              ///< the first of them: "'surf' in line 7"
+  std::size_t left_over_bytes = 0;        ///< data behind all that the header counts
+  std::string left_over_place;            ///< where they begin: "line 9" or "byte 684"
+  std::size_t padding_bytes = 0;          ///< at the end: NUL, Ctrl-Z and, in binary files, white space
+  SceneReport scene;
 };
 
-/// A mesh that cannot be had. what() is one line: "FILE:PLACE: reason", where PLACE is "line N" for
+/// Thrown when a mesh cannot be read, made or measured. what() is one line: "FILE:PLACE: reason", where PLACE is "line N" for
 /// text and "byte N" for binary data (counted from 0), or "FILE: reason" where no place applies.
 class MeshError : public std::runtime_error {
  public:

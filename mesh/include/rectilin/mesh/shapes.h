@@ -1,11 +1,7 @@
 // Shapes the program makes itself: test objects with known answers, and meshes of any size.
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "rectilin/base/parameters.h"
+#include "rectilin/base/factory.h"
 #include "rectilin/mesh/mesh.h"
 
 namespace rectilin {
@@ -18,12 +14,7 @@ namespace rectilin {
 /// Thread safe.
 Mesh make_shape(const Spec& spec);
 
-struct ShapeInfo {
-  std::string name, help;
-  std::vector<Parameters::Description> parameters;  ///< with defaults, its own first
-};
-
-/// Every shape there is, for help texts and tests.
-std::vector<ShapeInfo> list_shapes();
+/// Every shape there is. A new one is a struct in mesh/src/shapes with `bind` and `build`, and one line in shapes.cpp.
+const Factory<Mesh>& shape_table();
 
 }  // namespace rectilin

@@ -1,4 +1,4 @@
-// What a search without an end of its own may spend.
+// Evaluation limit for searches that do not stop by themselves.
 #pragma once
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "rectilin/optim/certificate.h"
-#include "rectilin/optim/optimizer.h"
+#include "rectilin/optim/method.h"
 
 namespace rectilin {
 
@@ -34,7 +34,7 @@ struct ActiveGenerator {
   std::size_t generator;  ///< index into Objective::generators()
 };
 
-/// A set of frames within the gap of the best value, as far as it could be told apart from others.
+/// A set of frames within the gap of the best value, distinct optima closer than the resolution are merged.
 struct Optimum {
   enum class Kind {
     kPoint,      ///< a minimum; other frames within the gap are near it (0.02 radians) or in a ball where none is lower
@@ -74,18 +74,8 @@ struct CertifyResult {
 /// that is stopped before the gap is closed proves what it got to.
 CertifyResult certify(Evaluator& evaluator, const CertifyOptions& options, Certificate* certificate = nullptr);
 
-class Certify final : public OptimizerWith<CertifyOptions> {
- public:
-  using Options = CertifyOptions;
-  static constexpr const char* kName = "certify";
-
-  explicit Certify(Options options = {}) : OptimizerWith(options) {}
-
-  std::string name() const override { return kName; }
-  Capabilities capabilities() const override {
-    return {.uses_domain = false, .uses_random = false, .batches = true, .needs_cuts = true, .certifies = true};
-  }
-  void run(Evaluator& evaluator, const Domain& domain, Random& random) const override;
-};
+/// The optimizer `certify` for the registry and for make_optimizer(): it has the evaluator's lower bound as its proof,
+/// but gives no CertifyResult.
+GlobalMethod<CertifyOptions> certify_method();
 
 }  // namespace rectilin

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -70,6 +71,10 @@ class Evaluator {
 
   const Objective& objective() const { return objective_; }
 
+  /// Has `observer` told now and then (between evaluations, ten times a second at most) how the run is getting on. It
+  /// sees the run and cannot change it.
+  void watch(std::function<void(const Evaluator&)> observer) { observer_ = std::move(observer); }
+
   double value(const Rotation& rotation);
   void values(std::span<const Rotation> rotations, std::span<double> values);
 
@@ -110,6 +115,7 @@ class Evaluator {
 
  private:
   std::size_t affordable(std::size_t count, std::uint64_t price) const;
+  void tell();
   void account(const Rotation& rotation, double value, std::uint64_t evaluations);
   void record(std::uint64_t evaluations);
 
@@ -122,6 +128,8 @@ class Evaluator {
   std::optional<double> lower_;
   std::vector<TracePoint> trace_;
   Fnv1a digest_;
+  std::function<void(const Evaluator&)> observer_;
+  double next_telling_ = 0.5;  // seconds: short runs are not worth a word
 };
 
 }  // namespace rectilin

@@ -1,7 +1,7 @@
 // The paper's genetic algorithm (section 4.3).
 #pragma once
 
-#include "rectilin/optim/optimizer.h"
+#include "rectilin/optim/method.h"
 
 namespace rectilin {
 
@@ -26,19 +26,11 @@ struct GeneticOptions {
   int elitism = 1;  ///< best individuals that go on unchanged
 
   void bind(Parameters& table);
-};
-
-class GeneticAlgorithm final : public OptimizerWith<GeneticOptions> {
- public:
-  using Options = GeneticOptions;
-  static constexpr const char* kName = "ga";
-
   /// Throws ParameterError if elitism leaves no room for offspring.
-  explicit GeneticAlgorithm(Options options = {});
-
-  std::string name() const override { return kName; }
-  Capabilities capabilities() const override { return {.batches = true}; }
-  void run(Evaluator& evaluator, const Domain& domain, Random& random) const override;
+  void check() const;
 };
+
+/// The optimizer `ga`; make_optimizer(genetic_algorithm(), options) has settings of one's own.
+GlobalMethod<GeneticOptions> genetic_algorithm();
 
 }  // namespace rectilin

@@ -26,15 +26,7 @@ Rotation start_of(const Evaluator& evaluator, Random& random);
 void improve_from_starts(const LocalSearch& local, int starts, bool from_incumbent, Evaluator& evaluator,
                          const Domain& domain, Random& random);
 
-/// Base of a local optimizer: write improve(), and run() follows.
-template <class Options>
-class LocalOptimizerWith : public OptimizerWith<Options>, public LocalSearch {
- public:
-  using OptimizerWith<Options>::OptimizerWith;
-
-  void run(Evaluator& evaluator, const Domain& domain, Random& random) const override {
-    improve(start_of(evaluator, random), evaluator, domain, random);
-  }
-};
+/// Declares the number of starts that improve_from_starts() takes; `what` they are.
+void bind_starts(Parameters& table, int& starts, std::string what);
 
 }  // namespace rectilin

@@ -1,4 +1,29 @@
 // What optimizers minimise: a function of rotations.
+//
+// The objectives of this library have one form. A rotation Q has three rows q1, q2, q3, the axes of a frame, and
+//
+//     value(Q) = h(q1) + h(q2) + h(q3)
+//
+// with one even, convex function h, positively homogeneous of degree one. For a mesh h(u) is the sum of |u . v| over
+// its area vectors v, and value(Q) is P/S. Two facts follow, on which everything else rests.
+//
+// *Cuts.* A convex function lies above its tangents. With g_k a subgradient of h at q_k, the linear function
+//
+//     Q' -> g1 . q'1 + g2 . q'2 + g3 . q'3
+//
+// is nowhere above value(Q') and touches it at Q: one evaluation says something about all rotations. That is what
+// proofs are made of (certify.h), and what gradient methods follow.
+//
+// *Kinks.* h has a crease wherever u is orthogonal to some v, that is where a face is parallel to an axis. Between
+// creases the objective bends downwards along turns, so every minimum lies on them: minima are sharp, and smooth
+// methods need the smooth surrogate below.
+//
+//     class Sum final : public Objective {        // of |entries|: least, 3, at the 24 rotations of the cube
+//       std::string name() const override { return "sum"; }
+//       void values(std::span<const Rotation> rotations, std::span<double> values) const override {
+//         for (std::size_t i = 0; i < rotations.size(); ++i) values[i] = rotations[i].matrix().cwiseAbs().sum();
+//       }
+//     };
 #pragma once
 
 #include <Eigen/Core>
@@ -69,11 +94,14 @@ class Objective {
   /// in it that share a row of the matrix, bit for bit, may share that row's work.
   virtual void values(std::span<const Rotation> rotations, std::span<double> values) const = 0;
 
+  /// The objective at one rotation.
+  double value(const Rotation& rotation) const;
+
   /// Can it give cuts? If not, cuts() must not be called.
   virtual bool has_cuts() const { return false; }
   virtual void cuts(std::span<const Rotation> rotations, std::span<Cut> cuts) const;
   virtual CutBounds cut_bounds() const { return {}; }
-  /// As long-lived as the objective. Sharpen proofs where there are any.
+  /// Valid while the objective lives. Optional; makes proofs tighter.
   virtual Generators generators() const { return {}; }
 
   /// Can it give a smooth surrogate? If not, smooth() must not be called.

@@ -49,7 +49,7 @@ class Optimizer {
 /// Throws ParameterError if `objective` does not offer what `optimizer` needs. run_optimizer() asks before it begins.
 void require_needs(const Optimizer& optimizer, const Objective& objective);
 
-/// Base of an optimizer whose settings are a struct with `bind(Parameters&)`; see genetic.h for the pattern.
+/// Base of an optimizer whose settings are a struct with `bind(Parameters&)`; see method.h, which needs no class.
 template <class Options>
 class OptimizerWith : public Optimizer {
  public:

@@ -1,14 +1,13 @@
 // Optimizers by name.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
-#include "rectilin/optim/optimizer.h"
+#include "rectilin/base/factory.h"
+#include "rectilin/optim/method.h"
 
 namespace rectilin {
 
@@ -16,47 +15,36 @@ namespace rectilin {
 /// starting where the one before it stopped, on what that left of the budget:
 /// `super-fibonacci?count=2000+nelder-mead`. A '+' before a letter separates stages; one before a
 /// digit belongs to a number. A value type: copy one and add your own.
+///
+/// Optimizers are reached by their names. A header of its own is public only where callers need more of one than
+/// a RunRecord: certify.h for the proof, genetic.h for the paper's parameters.
 class Registry {
  public:
-  struct Entry {
-    std::string name, help;
-    /// The registry serves optimizers that are made of others.
-    std::function<std::unique_ptr<Optimizer>(const Json& settings, const Registry& registry)> make;
-    std::vector<Parameters::Description> parameters;  ///< with their defaults
-  };
+  /// The registry is handed over because some optimizers are made of others.
+  using Table = Factory<std::unique_ptr<Optimizer>, const Registry&>;
+  using Entry = Table::Entry;
 
-  /// Adds an optimizer type: `registry.add<GeneticAlgorithm>("one line of help")`. T has a nested
-  /// Options with `bind(Parameters&)`, a constructor from Options (or Options and a registry) and a
-  /// `kName`.
-  template <class T>
-  Registry& add(std::string help) {
-    using Options = typename T::Options;
-    return add(T::kName, std::move(help), Options(), [](Options options, [[maybe_unused]] const Registry& registry) {
-      if constexpr (std::is_constructible_v<T, Options, const Registry&>)
-        return std::make_unique<T>(std::move(options), registry);
-      else return std::make_unique<T>(std::move(options));
+  /// Adds a GlobalMethod or LocalMethod under its name.
+  template <class Method>
+  Registry& add(Method method) {
+    return add(std::move(method), typename Method::Options());
+  }
+
+  /// The same with other defaults, for one of a family.
+  template <class Method>
+  Registry& add(Method method, typename Method::Options defaults) {
+    const std::string name = method.name, help = method.help;
+    return add(name, help, std::move(defaults), [method](typename Method::Options options, const Registry&) {
+      return make_optimizer(method, std::move(options));
     });
   }
 
-  /// Adds one of a family under a name of its own; `construct(options, registry)` makes it from
-  /// `defaults` with the settings applied.
-  template <class Options, class Construct>
-  Registry& add(std::string name, std::string help, const Options& defaults, Construct construct) {
-    Options shown = defaults;
-    Parameters table;
-    shown.bind(table);
-    const auto make = [name, defaults, construct](const Json& settings,
-                                                  const Registry& registry) -> std::unique_ptr<Optimizer> {
-      Options options = defaults;
-      Parameters fields;
-      options.bind(fields);
-      fields.set(settings, name);
-      return construct(std::move(options), registry);
-    };
-    return add({name, std::move(help), make, table.describe()});
+  /// Adds any other kind of optimizer: `maker(options, registry)` makes it of `defaults` with the settings applied.
+  template <class Options, class Maker>
+  Registry& add(std::string name, std::string help, Options defaults, Maker maker) {
+    table_.add(std::move(name), std::move(help), std::move(defaults), std::move(maker));
+    return *this;
   }
-
-  Registry& add(Entry entry);
 
   /// Throws ParameterError for an unknown name or a setting the optimizer does not accept.
   std::unique_ptr<Optimizer> make(std::string_view spec) const;
@@ -65,13 +53,14 @@ class Registry {
   /// settings of a pipeline are an array, one object a stage.
   std::unique_ptr<Optimizer> make(std::string_view name, const Json& settings) const;
 
-  const std::vector<Entry>& entries() const { return entries_; }
+  const std::vector<Entry>& entries() const { return table_.entries(); }
 
  private:
-  std::vector<Entry> entries_;
+  Table table_{"optimizer"};
 };
 
-/// Every optimizer of the library. A new one is one file and one line in registry.cpp.
+/// The library's own optimizers. A new one is one file, which defines `void add_NAME(Registry&)`, and one line in
+/// optim/CMakeLists.txt; those of other libraries are in rectilin/optim/adapters/all_optimizers.h.
 const Registry& builtin_optimizers();
 
 }  // namespace rectilin

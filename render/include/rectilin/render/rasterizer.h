@@ -40,6 +40,7 @@ enum class Coverage {
 struct RenderOptions {
   int size = 256;  ///< pixels in a row: 1 to kLargestPicture
   Coverage coverage = Coverage::kCentre;
+  Vector3 up = Vector3::UnitY();  ///< of the posed mesh, for pictures from a sphere: see frame_towards()
 };
 
 constexpr int kLargestPicture = 16384;
@@ -92,8 +93,8 @@ class ViewRenderer {
 };
 
 /// The pictures of a posed mesh from all directions of a sphere, in their order. The pose turns the mesh about the
-/// ball's centre first; each picture's up is frame_towards()'s. Runs on all of TBB's threads, with the same bits for
-/// any number of them. Errors as ViewRenderer.
+/// ball's centre first; each picture's frame is frame_towards(direction, options.up). Runs on all of TBB's threads,
+/// with the same bits for any number of them. Errors as ViewRenderer.
 std::vector<DepthImage> render_views(const Mesh& mesh, const Ball& ball, const ViewSphere& sphere,
                                      const RenderOptions& options = {}, const Rotation& pose = {});
 

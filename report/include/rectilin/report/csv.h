@@ -1,4 +1,4 @@
-// Tables as comma-separated files (RFC 4180).
+// Tables as comma-separated files (RFC 4180). Text is made printable, so that each row is one line.
 #pragma once
 
 #include <filesystem>

@@ -7,7 +7,10 @@
 
 namespace rectilin::html {
 
+/// Text as HTML or SVG shows it, in one line: printable (see printable()), with entities for what has a meaning.
 std::string escape(std::string_view text);
+/// The same for text of several lines.
+std::string escape_lines(std::string_view text);
 
 /// A table that scrolls if it is wider than the screen. Cells are HTML; the first column is text, the others are
 /// numbers.

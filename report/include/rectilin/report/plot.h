@@ -60,10 +60,16 @@ struct HeatMap {
   std::vector<std::vector<double>> values;  ///< [row][column], what the CSV file holds; NaN for none
 };
 
-/// gnuplot is missing or refused a figure.
+/// A figure that could not be drawn.
 class PlotError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// There is no gnuplot.
+class NoGnuplot : public PlotError {
+ public:
+  NoGnuplot();
 };
 
 class Plot {
@@ -84,7 +90,7 @@ class Plot {
  private:
   Csv data_;
   Size size_;
-  std::string commands_;  ///< with @NAME@ for the name
+  std::string commands_;  ///< with a character for the name
 };
 
 /// A figure with what is said of it; its files are NAME.csv, NAME.gp and NAME.svg.
@@ -93,10 +99,18 @@ struct NamedPlot {
   Plot plot;
 };
 
-/// Runs gnuplot on NAME.gp in its folder. Thread safe. Throws PlotError in one line.
+/// Runs gnuplot on NAME.gp in its folder, without the settings in ~/.gnuplot. Thread safe. Throws NoGnuplot, or
+/// PlotError in one line with the picture's name and gnuplot's reason; then there is no NAME.svg, not even an older
+/// one.
 void draw(const std::filesystem::path& folder, const std::string& name);
 
-/// The same for many at once; returns a line for each kind of trouble.
-std::vector<std::string> draw_all(const std::filesystem::path& folder, const std::vector<std::string>& names);
+/// What went wrong with pictures.
+struct PictureTroubles {
+  std::vector<std::string> lines;  ///< one for each picture that failed; one if there is no gnuplot
+  bool failed = false;             ///< a picture failed, though there is gnuplot
+};
+
+/// The same for many at once.
+PictureTroubles draw_all(const std::filesystem::path& folder, const std::vector<std::string>& names);
 
 }  // namespace rectilin

@@ -9,20 +9,33 @@
 #include <vector>
 
 #include "rectilin/laboratory/plan.h"
+#include "rectilin/measure/area_vectors.h"
 
 namespace rectilin {
 
-/// How far a comparison is.
+/// Progress of a comparison.
 struct ComparisonProgress {
   std::size_t done = 0, total = 0;                                ///< runs, those of an earlier start included
   double seconds_left = std::numeric_limits<double>::infinity();  ///< estimated; infinite while nothing is known
   std::string text;                                               ///< what goes on
 };
 
+/// What a comparison needs of a mesh.
+struct ComparedMesh {
+  AreaVectors vectors;
+  std::size_t faces = 0;
+  std::string digest;  ///< tells another mesh from this one when a comparison goes on
+};
+
+/// That of load_mesh(), with its mesh_digest().
+ComparedMesh load_compared_mesh(const std::string& source);
+
 struct ComparisonSettings {
   std::stop_token stop = {};
   std::string command_line = {};                                    ///< for the record
   std::function<void(const ComparisonProgress&)> on_progress = {};  ///< called from any thread, one at a time
+  /// Makes the mesh of a name in the plan; called once for each, one at a time. What it throws is that mesh's error.
+  std::function<ComparedMesh(const std::string& name)> load = load_compared_mesh;
 };
 
 struct ComparisonOutcome {

@@ -28,7 +28,9 @@ NamedPlot profile_plot(const Results& results, const Summary& summary);
 /// log10 of the median final gap, entries by meshes.
 NamedPlot heat_plot(const Results& results, const Summary& summary);
 
-/// Letters, digits and dashes only, to be part of a file name.
+/// Letters of any script (in UTF-8), digits and dashes only, at most 120 bytes, to be part of a file name.
 std::string slug(const std::string& text);
+/// The same for many, each different from the others.
+std::vector<std::string> unique_slugs(const std::vector<std::string>& texts);
 
 }  // namespace rectilin

@@ -11,7 +11,7 @@
 
 namespace rectilin {
 
-/// In what a run is charged.
+/// Unit of a run's cost.
 enum class Cost { kEvaluations, kSeconds };
 
 /// The gap of a run as a step function of what it has cost so far.

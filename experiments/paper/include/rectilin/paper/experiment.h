@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "rectilin/base/batch.h"
-#include "rectilin/base/parameters.h"
+#include "rectilin/base/factory.h"
 #include "rectilin/report/plot.h"
 
 namespace rectilin {
@@ -21,8 +21,9 @@ struct ExperimentContext {
   std::uint64_t seed = 1;  ///< of everything random
   double gap = 1e-6;       ///< width to which R is certified
   std::stop_token stop = {};
-  /// Called from any thread, one at a time, with what is done of how much, and what goes on.
-  std::function<void(std::size_t done, std::size_t total, const std::string& text)> on_progress = {};
+  OnProgress on_progress = {};
+
+  LoopControl loop() const { return {.stop = stop, .on_progress = on_progress}; }
 };
 
 /// A picture that is made at once: NAME.svg, with NAME.csv.
@@ -43,35 +44,31 @@ struct ExperimentResult {
   std::vector<std::string> errors = {};  ///< a line for each mesh that could not be measured
 };
 
-struct Experiment {
-  std::string name;   ///< what it is called by, such as fig15
-  std::string title;  ///< one line
+/// `make` runs it: throws ParameterError for settings it does not accept, Stopped if the context's token stops it.
+/// `help` is its title.
+struct Experiment : Factory<ExperimentResult, const ExperimentContext&>::Entry {
   std::string takes;  ///< meshes it can be given, in a few words; empty if it makes its own only
-  std::vector<Parameters::Description> parameters;  ///< with defaults
-  Json quick;                                       ///< settings with which it takes about a second
-  /// Throws ParameterError for settings it does not accept, Stopped if the context's token stops
-  /// it.
-  std::function<ExperimentResult(const Json& settings, const ExperimentContext& context)> run;
+  Json quick;         ///< settings with which it takes about a second
 };
 
-/// Every experiment, in the order of the page. A new one is one file in experiments/src/figures/
+/// Every experiment, in the order of the page. A new one is one file in experiments/paper/src/figures/
 /// and one line each in its experiments.h and in experiment.cpp.
 const std::vector<Experiment>& experiments();
 
 /// Throws ParameterError for a name that there is not.
 const Experiment& find_experiment(const std::string& name);
 
-/// Runs an experiment and writes into `folder`, which is made if need be: NAME.json (settings,
-/// seed, meshes, provenance, `says` and all data) and for each picture its CSV, gnuplot (of curves)
-/// and SVG files. `troubles` of the result are lines about meshes or pictures: those that failed
-/// are missing, and the rest is written all the same. Throws what Experiment::run() throws (then
-/// nothing is written), ParameterError for meshes given to an experiment that takes none, and
-/// std::runtime_error if the folder cannot be written.
 struct ExperimentOutcome {
-  std::string says;
-  std::vector<std::string> mesh_errors;
-  std::vector<std::string> picture_troubles;
+  std::string says;                      ///< see ExperimentResult
+  std::vector<std::string> mesh_errors;  ///< a line for each mesh that could not be measured
+  PictureTroubles pictures;              ///< what could not be drawn
 };
+
+/// Runs an experiment and writes into `folder`, which is made if need be: NAME.json (settings, seed, meshes, provenance,
+/// `says` and all data) and for each picture its CSV, gnuplot (of curves) and SVG files. Meshes and pictures that failed
+/// are missing, with a line in the outcome; the rest is written all the same. Throws what Experiment::make() throws (then
+/// nothing is written), ParameterError for meshes given to an experiment that takes none, and std::runtime_error if the
+/// folder cannot be written.
 ExperimentOutcome run_experiment(const Experiment& experiment, const Json& settings, const ExperimentContext& context,
                                  const std::filesystem::path& folder, const std::string& command_line);
 

@@ -1,0 +1,23 @@
+// A store as a table for other programs.
+#pragma once
+
+#include <filesystem>
+
+#include "rectilin/corpus/store.h"
+
+namespace rectilin::corpus {
+
+/// Writes the store's rows, in the order of their names, in the format of the file's extension:
+///
+///     .csv    name, class, status, digest, faces, area, rectilinearity, lower, upper, seconds, version, error
+///     .jsonl  one JSON object a line: name, source, class, status, digest, the fields of the result, report, seconds,
+///             version, error
+///     .npy    a structured array for numpy.load(file): name and class (bytes), status (1 limited, 2 failed, 3 done),
+///             faces, area, rectilinearity, lower, upper, seconds, rotation (3 by 3); NaN, or -1 for faces, where there
+///             is no result
+///
+/// Rows that are left to be done are left out. Numbers keep every bit. Memory does not grow with the store. Throws
+/// ParameterError for another extension, std::runtime_error if the file cannot be written.
+void export_store(Store& store, const std::filesystem::path& file);
+
+}  // namespace rectilin::corpus

@@ -1,0 +1,42 @@
+// Work on all meshes of a collection, by processes that may be killed.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "rectilin/base/batch.h"
+#include "rectilin/corpus/shard.h"
+#include "rectilin/corpus/store.h"
+
+namespace rectilin::corpus {
+
+struct CorpusOptions {
+  /// A program that calls run_worker(3, ...), with its arguments; the first word is a path.
+  std::vector<std::string> worker_command;
+  int workers = 1;                          ///< processes at a time
+  std::optional<double> seconds;            ///< for each mesh, from reading on
+  std::optional<std::uint64_t> memory;      ///< bytes for each worker, beyond what it begins with
+  bool retry = false;                       ///< meshes that failed or were limited, too
+  std::vector<std::filesystem::path> done;  ///< stores of the same task whose meshes need not be done again
+};
+
+struct CorpusSummary {
+  std::size_t done = 0, failed = 0, limited = 0;  ///< in this run
+  std::size_t copied = 0;                         ///< of those done: meshes that are the same as others
+  std::size_t before = 0;                         ///< were there already
+  std::size_t left = 0;                           ///< because of a stop
+};
+
+/// Does the meshes that are in the shard and not yet in the store. Each is read and worked on by a worker; one that
+/// hangs, crashes or takes too much memory costs its own row and a worker, which is replaced. The search may take
+/// `seconds`; a worker that has not answered a second and a tenth after them is killed. Meshes with the same digest are
+/// worked on once. The stop leaves what is in work for the next time. Throws as Store does.
+CorpusSummary run_corpus(std::span<const NamedSource> meshes, const Shard& shard, Store& store, const Task& task,
+                         const CorpusOptions& options, const LoopControl& control = {});
+
+}  // namespace rectilin::corpus

@@ -1,0 +1,95 @@
+// What is known of a collection's meshes, in a file: one row a mesh.
+//
+// A store is an SQLite database that survives the end of the program at any moment: a mesh's row is there as soon as
+// the mesh is done. The names still to be done are rows, too, so that a store tells how far it is. It can be read with
+// `sqlite3 FILE.db` while it is written:
+//
+//     meshes   name (the key), source, class, status, digest (of the mesh, see mesh_digest()), columns of the result
+//              (faces, area, rectilinearity, lower, upper), result and report as JSON, error, version (of the program),
+//              finished (seconds since 1970), seconds (that the mesh took)
+//     facts    task and settings, the same for all rows
+//     runs     who wrote when, and which shard
+//
+// Results have no times in them, so that equal work gives equal bits.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rectilin/base/parameters.h"
+#include "rectilin/corpus/shard.h"
+#include "rectilin/mesh/source.h"
+
+namespace rectilin::corpus {
+
+/// Stored as these numbers; of two rows of a mesh the one with the higher number counts.
+enum class RowStatus : std::int64_t {
+  kLeft = 0,     ///< not done yet
+  kLimited = 1,  ///< took too long or too much memory, or crashed; `error` says which. Tried again only if asked for
+  kFailed = 2,   ///< cannot be done, for the reason in `error`: the file is no mesh
+  kDone = 3,     ///< has a result
+};
+
+const char* to_string(RowStatus status);
+
+struct Row {
+  std::string name, source, group;
+  RowStatus status = RowStatus::kLeft;
+  std::string digest;          ///< empty if the mesh could not be read
+  std::string result, report;  ///< JSON objects as text; empty if there are none
+  std::string error;
+  std::string version;
+  double finished = 0, seconds = 0;
+  bool operator==(const Row&) const = default;
+};
+
+/// What the rows of a store are results of; stores of different tasks do not mix.
+struct Task {
+  std::string name;  ///< "measure"
+  Json settings;
+};
+
+/// Not thread safe. Throws std::runtime_error, "FILE: reason", if the file cannot be read or written or is no store.
+class Store {
+ public:
+  /// Opens a store for writing, or makes one. Throws ParameterError if it holds results of another task, and
+  /// std::runtime_error if another program writes to it.
+  Store(const std::filesystem::path& file, const Task& task);
+  /// Opens a store for reading.
+  explicit Store(const std::filesystem::path& file);
+  ~Store();
+  Store(Store&&) noexcept;
+
+  Task task() const;
+
+  /// Notes that a run begins, on these meshes: those without a row become rows to be done, and rows to be done of other
+  /// meshes go. With `retry`, meshes that failed or were limited are to be done again. Returns the indices of the
+  /// meshes to be done, in their order. Throws ParameterError if two different sources have one name.
+  std::vector<std::size_t> begin_run(std::span<const NamedSource> meshes, const Shard& shard, bool retry);
+  void end_run();
+
+  /// Replaces the row of that name, for good.
+  void put(const Row& row);
+
+  /// The row of a mesh that is done and has this digest.
+  std::optional<Row> find_digest(std::string_view digest);
+  std::optional<Row> find(std::string_view name);
+
+  /// In the order of their names.
+  void for_each(const std::function<void(const Row&)>& take);
+  std::size_t size();
+
+ private:
+  friend class StoreAccess;
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace rectilin::corpus

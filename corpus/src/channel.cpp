@@ -1,0 +1,72 @@
+#include "channel.h"
+
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+
+namespace rectilin::corpus {
+namespace {
+
+constexpr std::size_t kHeader = 5;  // the length and the kind
+constexpr std::size_t kLongest = std::size_t{1} << 28;
+
+}  // namespace
+
+Channel::~Channel() {
+  if (socket_ >= 0) close(socket_);
+}
+
+bool Channel::send(Kind kind, std::string_view content) {
+  std::string message(kHeader, static_cast<char>(kind));
+  const auto length = static_cast<std::uint32_t>(content.size());
+  std::memcpy(message.data(), &length, sizeof length);  // both ends are on one machine
+  message += content;
+  for (std::string_view rest = message; !rest.empty();) {
+    const ssize_t sent = ::send(socket_, rest.data(), rest.size(), MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent <= 0) return false;
+    rest.remove_prefix(static_cast<std::size_t>(sent));
+  }
+  return true;
+}
+
+std::optional<Message> Channel::receive() {
+  for (;;) {
+    if (auto message = next()) return message;
+    pollfd wait{socket_, POLLIN, 0};
+    if (poll(&wait, 1, -1) < 0 && errno != EINTR) return std::nullopt;
+    if (!fill()) return std::nullopt;
+  }
+}
+
+bool Channel::fill() {
+  char bytes[1 << 16];
+  for (;;) {
+    const ssize_t got = recv(socket_, bytes, sizeof bytes, MSG_DONTWAIT);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) return !broken_;
+    if (got <= 0) return false;
+    buffer_.append(bytes, static_cast<std::size_t>(got));
+    if (static_cast<std::size_t>(got) < sizeof bytes) return !broken_;
+  }
+}
+
+std::optional<Message> Channel::next() {
+  if (broken_ || buffer_.size() < kHeader) return std::nullopt;
+  std::uint32_t length = 0;
+  std::memcpy(&length, buffer_.data(), sizeof length);
+  if (length > kLongest) {
+    broken_ = true;
+    return std::nullopt;
+  }
+  if (buffer_.size() < kHeader + length) return std::nullopt;
+  Message message{static_cast<Kind>(buffer_[kHeader - 1]), buffer_.substr(kHeader, length)};
+  buffer_.erase(0, kHeader + length);
+  return message;
+}
+
+}  // namespace rectilin::corpus

@@ -1,0 +1,17 @@
+// NumPy's file format (NumPy Enhancement Proposal 1, 2007) for tables.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace rectilin::corpus {
+
+/// What a file of a table begins with. `fields` are as NumPy writes them: "('area', '<f8')".
+std::string npy_header(std::span<const std::string> fields, std::size_t rows);
+
+/// Text in a field of so many bytes.
+void append_bytes(std::string& out, std::string_view text, std::size_t size);
+
+}  // namespace rectilin::corpus

@@ -1,0 +1,65 @@
+#include "rectilin/corpus/status.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+
+#include "store_access.h"
+
+namespace rectilin::corpus {
+namespace {
+
+bool is_locked(const std::filesystem::path& store) {
+  const int file = open((store.string() + "-lock").c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return false;
+  const bool locked = flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  close(file);
+  return locked;
+}
+
+}  // namespace
+
+StoreStatus status_of(const std::filesystem::path& file) {
+  Store store(file);
+  Database& database = StoreAccess::database(store);
+  StoreStatus status;
+  status.running = is_locked(file);
+  Statement counts(database, "SELECT status, count(*) FROM meshes GROUP BY status");
+  while (counts.step()) {
+    const auto count = static_cast<std::size_t>(counts.integer(1));
+    switch (static_cast<RowStatus>(counts.integer(0))) {
+      case RowStatus::kLeft:
+        status.left = count;
+        break;
+      case RowStatus::kDone:
+        status.done = count;
+        break;
+      case RowStatus::kFailed:
+        status.failed = count;
+        break;
+      case RowStatus::kLimited:
+        status.limited = count;
+        break;
+    }
+  }
+  Statement run(database, "SELECT shard, started FROM runs ORDER BY id DESC LIMIT 1");
+  if (!run.step()) return status;
+  status.shard = run.text(0);
+  const double started = run.real(1);
+  run.reset();
+  Statement finished(database, "SELECT count(*), max(finished) FROM meshes WHERE status > 0 AND finished >= ?1");
+  if (finished.bind(1, started).step() && finished.integer(0) > 0) {
+    // Of a run that goes on up to now, of another up to its last mesh.
+    const double now = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+    const double elapsed = (status.running ? now : finished.real(1)) - started;
+    status.rate = static_cast<double>(finished.integer(0)) / std::max(elapsed, 1e-3);
+    status.seconds_left = static_cast<double>(status.left) / status.rate;
+  }
+  return status;
+}
+
+}  // namespace rectilin::corpus

@@ -1,0 +1,292 @@
+#include "rectilin/corpus/store.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/vfs.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <map>
+
+#include "rectilin/base/version.h"
+#include "store_access.h"
+
+namespace rectilin::corpus {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t kApplication = 0x7265637;  // marks an SQLite file as a store
+constexpr std::int64_t kVersion = 1;              // of the tables
+
+constexpr const char* kTables = R"(
+CREATE TABLE meshes(
+  name TEXT PRIMARY KEY NOT NULL, source TEXT NOT NULL, class TEXT NOT NULL, status INTEGER NOT NULL, digest TEXT,
+  faces INTEGER, area REAL, rectilinearity REAL, lower REAL, upper REAL,
+  result TEXT, report TEXT, error TEXT, version TEXT, finished REAL, seconds REAL);
+CREATE INDEX digests ON meshes(digest) WHERE status = 3;
+CREATE TABLE facts(key TEXT PRIMARY KEY NOT NULL, value TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE runs(
+  id INTEGER PRIMARY KEY, shard TEXT NOT NULL, host TEXT NOT NULL, process INTEGER NOT NULL, version TEXT NOT NULL,
+  started REAL NOT NULL, ended REAL);
+)";
+
+double now() { return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count(); }
+
+std::string host_name() {
+  char name[256] = "";
+  return gethostname(name, sizeof name - 1) == 0 ? name : "?";
+}
+
+/// Whether the file is on a disk of this machine. SQLite's log written ahead needs memory shared by all who use the
+/// file, which machines do not have; there the older way is used, which costs a few milliseconds a row.
+bool is_local(const fs::path& file) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  struct statfs about {};
+  if (statfs(folder.c_str(), &about) != 0) return true;
+  switch (static_cast<std::uint32_t>(about.f_type)) {
+    case 0x6969:      // NFS
+    case 0x517B:      // SMB
+    case 0xFF534D42:  // CIFS
+    case 0xFE534D42:  // SMB2
+    case 0x0BD00BD0:  // Lustre
+    case 0x47504653:  // GPFS
+    case 0x19830326:  // BeeGFS
+    case 0x00C36400:  // Ceph
+    case 0x65735546:  // FUSE
+    case 0x01021997:  // 9P
+    case 0xAAD7AAEA:  // PanFS
+      return false;
+    default:
+      return true;
+  }
+}
+
+/// One program at a time writes; a file of its own is locked, since SQLite locks the store's.
+class WriterLock {
+ public:
+  explicit WriterLock(const fs::path& store) : path_(store.string() + "-lock") {
+    file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (file_ < 0) throw std::runtime_error(store.string() + ": cannot be written");
+    if (flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+    close(file_);
+    throw std::runtime_error(store.string() + ": another program is writing to it");
+  }
+  ~WriterLock() { close(file_); }  // the file stays: removing it would let two programs lock two files of one name
+  WriterLock(const WriterLock&) = delete;
+  WriterLock& operator=(const WriterLock&) = delete;
+
+ private:
+  std::string path_;
+  int file_;
+};
+
+std::int64_t pragma(Database& database, const std::string& name) {
+  Statement statement(database, "PRAGMA " + name);
+  return statement.step() ? statement.integer(0) : 0;
+}
+
+void check_is_store(Database& database) {
+  if (pragma(database, "application_id") != kApplication) throw std::runtime_error(database.name() + ": not a store");
+  if (pragma(database, "user_version") != kVersion)
+    throw std::runtime_error(database.name() + ": a store of another version of the program");
+}
+
+/// A number of a result that is a column of its own, if it has it.
+std::optional<double> number(const Json& result, const char* key) {
+  const auto found = result.find(key);
+  return found != result.end() && found->is_number() ? std::optional(found->get<double>()) : std::nullopt;
+}
+
+std::optional<std::string_view> unless_empty(const std::string& text) {
+  return text.empty() ? std::nullopt : std::optional<std::string_view>(text);
+}
+
+std::string fact(Database& database, std::string_view key) {
+  Statement statement(database, "SELECT value FROM facts WHERE key = ?1");
+  return statement.bind(1, key).step() ? std::string(statement.text(0)) : std::string();
+}
+
+}  // namespace
+
+const char* to_string(RowStatus status) {
+  switch (status) {
+    case RowStatus::kLeft:
+      return "left";
+    case RowStatus::kDone:
+      return "done";
+    case RowStatus::kFailed:
+      return "failed";
+    case RowStatus::kLimited:
+      return "limited";
+  }
+  return "";
+}
+
+Row read_row(const Statement& s) {
+  Row row;
+  row.name = s.text(0);
+  row.source = s.text(1);
+  row.group = s.text(2);
+  row.status = static_cast<RowStatus>(s.integer(3));
+  row.digest = s.text(4);
+  row.result = s.text(5);
+  row.report = s.text(6);
+  row.error = s.text(7);
+  row.version = s.text(8);
+  row.finished = s.is_null(9) ? 0 : s.real(9);
+  row.seconds = s.is_null(10) ? 0 : s.real(10);
+  return row;
+}
+
+struct Store::Implementation {
+  Implementation(const fs::path& path, Database::Mode mode)
+      : lock(mode == Database::Mode::kWrite ? std::make_unique<WriterLock>(path) : nullptr), database(path, mode) {}
+
+  std::unique_ptr<WriterLock> lock;
+  Database database;
+  std::optional<Statement> put, find_digest, find;
+  std::int64_t run = 0;
+};
+
+Store::Store(const fs::path& file, const Task& task)
+    : implementation_(std::make_unique<Implementation>(file, Database::Mode::kWrite)) {
+  Database& database = implementation_->database;
+  // A commit is handed to the system at once, so that it outlives the program; the disk may have it later.
+  database.execute(is_local(file) ? "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL"
+                                  : "PRAGMA journal_mode = TRUNCATE; PRAGMA synchronous = NORMAL");
+  database.execute("PRAGMA cache_size = -65536");
+  const std::string settings = to_text(task.settings);
+  Statement tables(database, "SELECT count(*) FROM sqlite_master");
+  tables.step();
+  if (tables.integer(0) == 0) {
+    tables.reset();
+    Transaction transaction(database);
+    database.execute(kTables);
+    database.execute("PRAGMA application_id = " + std::to_string(kApplication) +
+                     "; PRAGMA user_version = " + std::to_string(kVersion));
+    Statement insert(database, "INSERT INTO facts(key, value) VALUES(?1, ?2)");
+    insert.bind(1, std::string_view("task")).bind(2, std::string_view(task.name)).run();
+    insert.bind(1, std::string_view("settings")).bind(2, std::string_view(settings)).run();
+    transaction.commit();
+  }
+  tables.reset();
+  check_is_store(database);
+  const std::string found_task = fact(database, "task"), found = fact(database, "settings");
+  if (found_task != task.name || found != settings)
+    throw ParameterError(file.string() + ": the store holds results of '" + found_task + "' with " + found +
+                         ", not of '" + task.name + "' with " + settings);
+}
+
+Store::Store(const fs::path& file) {
+  if (!fs::exists(file)) throw std::runtime_error(file.string() + ": no such file");
+  implementation_ = std::make_unique<Implementation>(file, Database::Mode::kRead);
+  check_is_store(implementation_->database);
+}
+
+Store::~Store() = default;
+Store::Store(Store&&) noexcept = default;
+
+Database& StoreAccess::database(Store& store) { return store.implementation_->database; }
+
+Task Store::task() const {
+  Database& database = implementation_->database;
+  return {fact(database, "task"), Json::parse(fact(database, "settings"))};
+}
+
+std::vector<std::size_t> Store::begin_run(std::span<const NamedSource> meshes, const Shard& shard, bool retry) {
+  Database& database = implementation_->database;
+  Transaction transaction(database);
+  database.execute("DELETE FROM meshes WHERE status = 0");
+  Statement insert(database, "INSERT OR IGNORE INTO meshes(name, source, class, status) VALUES(?1, ?2, ?3, 0)");
+  Statement look(database, "SELECT status, source FROM meshes WHERE name = ?1");
+  Statement again(database, "UPDATE meshes SET status = 0, error = NULL WHERE name = ?1 AND status IN (1, 2)");
+  std::map<std::string_view, std::string_view> source_of;
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const NamedSource& mesh = meshes[i];
+    const auto [known, is_new] = source_of.try_emplace(mesh.name, mesh.source);
+    if (!is_new && known->second != mesh.source)
+      throw ParameterError("two meshes have the name '" + mesh.name + "': " + std::string(known->second) + " and " +
+                           mesh.source);
+    if (!is_new) continue;
+    insert.bind(1, std::string_view(mesh.name))
+        .bind(2, std::string_view(mesh.source))
+        .bind(3, std::string_view(mesh.group))
+        .run();
+    if (retry) again.bind(1, std::string_view(mesh.name)).run();
+    look.bind(1, std::string_view(mesh.name)).step();
+    if (look.integer(0) == static_cast<std::int64_t>(RowStatus::kLeft)) left.push_back(i);
+    look.reset();
+  }
+  Statement run(database, "INSERT INTO runs(shard, host, process, version, started) VALUES(?1, ?2, ?3, ?4, ?5)");
+  const std::string part = shard.to_string(), host = host_name(), program = version();
+  run.bind(1, std::string_view(part)).bind(2, std::string_view(host)).bind(3, static_cast<std::int64_t>(getpid()));
+  run.bind(4, std::string_view(program)).bind(5, now()).run();
+  Statement last(database, "SELECT max(id) FROM runs");
+  last.step();
+  implementation_->run = last.integer(0);
+  last.reset();
+  transaction.commit();
+  return left;
+}
+
+void Store::end_run() {
+  Statement end(implementation_->database, "UPDATE runs SET ended = ?1 WHERE id = ?2");
+  end.bind(1, now()).bind(2, implementation_->run).run();
+}
+
+void Store::put(const Row& row) {
+  if (!implementation_->put)
+    implementation_->put.emplace(implementation_->database,
+                                 "INSERT OR REPLACE INTO meshes(name, source, class, status, digest, faces, area, "
+                                 "rectilinearity, lower, upper, result, report, error, version, finished, seconds) "
+                                 "VALUES(?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16)");
+  Statement& s = *implementation_->put;
+  s.bind(1, std::string_view(row.name)).bind(2, std::string_view(row.source)).bind(3, std::string_view(row.group));
+  s.bind(4, static_cast<std::int64_t>(row.status)).bind(5, unless_empty(row.digest));
+  if (!row.result.empty()) {
+    const Json result = Json::parse(row.result);
+    if (const auto faces = number(result, "faces")) s.bind(6, static_cast<std::int64_t>(*faces));
+    s.bind(7, number(result, "area")).bind(8, number(result, "rectilinearity"));
+    s.bind(9, number(result, "lower")).bind(10, number(result, "upper"));
+  }
+  s.bind(11, unless_empty(row.result)).bind(12, unless_empty(row.report)).bind(13, unless_empty(row.error));
+  s.bind(14, unless_empty(row.version)).bind(15, row.finished).bind(16, row.seconds).run();
+}
+
+std::optional<Row> Store::find_digest(std::string_view digest) {
+  if (!implementation_->find_digest)
+    implementation_->find_digest.emplace(
+        implementation_->database,
+        std::string("SELECT ") + kRowColumns + " FROM meshes WHERE digest = ?1 AND status = 3");
+  Statement& s = *implementation_->find_digest;
+  if (!s.bind(1, digest).step()) return std::nullopt;
+  Row row = read_row(s);
+  s.reset();
+  return row;
+}
+
+std::optional<Row> Store::find(std::string_view name) {
+  if (!implementation_->find)
+    implementation_->find.emplace(implementation_->database,
+                                  std::string("SELECT ") + kRowColumns + " FROM meshes WHERE name = ?1");
+  Statement& s = *implementation_->find;
+  if (!s.bind(1, name).step()) return std::nullopt;
+  Row row = read_row(s);
+  s.reset();
+  return row;
+}
+
+void Store::for_each(const std::function<void(const Row&)>& take) {
+  Statement all(implementation_->database, std::string("SELECT ") + kRowColumns + " FROM meshes ORDER BY name");
+  while (all.step()) take(read_row(all));
+}
+
+std::size_t Store::size() {
+  Statement count(implementation_->database, "SELECT count(*) FROM meshes");
+  count.step();
+  return static_cast<std::size_t>(count.integer(0));
+}
+
+}  // namespace rectilin::corpus

@@ -1,0 +1,34 @@
+// A worker as the program sees it.
+#pragma once
+
+#include <sys/types.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "channel.h"
+
+namespace rectilin::corpus {
+
+/// Runs a command whose file descriptor 3 is the other end of `channel`. It ends when this program does, in whatever
+/// way, and is killed when this object goes.
+class WorkerProcess {
+ public:
+  /// Throws std::runtime_error if it cannot be started.
+  explicit WorkerProcess(const std::vector<std::string>& command);
+  ~WorkerProcess();
+  WorkerProcess(const WorkerProcess&) = delete;
+  WorkerProcess& operator=(const WorkerProcess&) = delete;
+
+  Channel& channel() { return *channel_; }
+
+  /// Of one that has closed its end: how it ended, "exit status 2" or "signal 11, Segmentation fault".
+  std::string wait_for_end();
+
+ private:
+  pid_t process_ = -1;
+  std::unique_ptr<Channel> channel_;
+};
+
+}  // namespace rectilin::corpus

@@ -1,0 +1,19 @@
+// MeshReport for people and for programs.
+#pragma once
+
+#include <string>
+
+#include "rectilin/base/parameters.h"
+#include "rectilin/mesh/mesh.h"
+
+namespace rectilin {
+
+/// One line that says what of a file is not in the mesh, and what was found where nothing should be: "left out: 2 faces
+/// of fewer than three corners, 230 bytes of data behind the last face (line 12)". Empty if the mesh is the whole mesh
+/// of the file. Every command that reads meshes says it.
+std::string summary(const MeshReport& report);
+
+/// An object with all fields of the report; `first_unknown` and `left_over_place` are null where there is none.
+Json to_json(const MeshReport& report);
+
+}  // namespace rectilin
