@@ -17,6 +17,7 @@ void add_verify_command(CLI::App& app, int& status);
 void add_render_command(CLI::App& app, int& status);
 void add_silhouette_command(CLI::App& app, int& status);
 void add_convert_command(CLI::App& app, int& status);
+void add_pose_command(CLI::App& app, int& status);
 void add_list_commands(CLI::App& app);
 void add_corpus_commands(CLI::App& app, int& status);
 

@@ -15,6 +15,7 @@ void register_tree_benchmarks();
 void register_mesh_benchmarks();
 void register_search_benchmarks();
 void register_proof_benchmarks();
+void register_pose_benchmarks();
 void register_view_benchmarks();
 void register_retrieval_benchmarks();
 
