@@ -172,7 +172,7 @@ struct Comparison {
 Comparison compare(py::handle problems, py::handle optimizers, py::object runs, py::object budget, py::object seed,
                    const std::string& domain, const std::string& certificate, py::handle out, py::object threads,
                    double patience, py::object progress) {
-  Interrupt interrupt(py::none());
+  Interrupt interrupt{py::none()};
   if (!progress.is_none() && PyCallable_Check(progress.ptr()) == 0) throw py::type_error("progress is not callable");
   if (!(patience > 0)) throw ParameterError("patience is not a positive number of seconds");
   const auto at_work = std::make_shared<AtWork>();
