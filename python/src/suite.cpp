@@ -35,7 +35,7 @@ py::dict problems_of_suite(const std::string& name) {
 py::dict exported(const Problem& problem, double gap) {
   MeasureOptions options;
   options.certify.gap = gap;
-  Interrupt interrupt(py::none());
+  Interrupt interrupt{py::none()};
   interrupt.attach(options.run);
   const Json json = without_gil(interrupt, [&] {
     const Rectilinearity optimum = measure(*problem.objective, options);
