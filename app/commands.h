@@ -7,8 +7,9 @@
 namespace rectilin::app {
 
 void add_measure_command(CLI::App& app, int& status);
-/// These two put the command line itself on record.
+/// These three put the command line itself on record.
 void add_compare_command(CLI::App& app, int& status, int argc, const char* const* argv);
+void add_evaluate_command(CLI::App& app, int& status, int argc, const char* const* argv);
 void add_experiment_command(CLI::App& app, int& status, int argc, const char* const* argv);
 void add_validate_command(CLI::App& app, int& status);
 void add_suite_command(CLI::App& app, int& status);
@@ -16,6 +17,7 @@ void add_verify_command(CLI::App& app, int& status);
 void add_render_command(CLI::App& app, int& status);
 void add_silhouette_command(CLI::App& app, int& status);
 void add_convert_command(CLI::App& app, int& status);
+void add_pose_command(CLI::App& app, int& status);
 void add_list_commands(CLI::App& app);
 void add_corpus_commands(CLI::App& app, int& status);
 

@@ -24,10 +24,12 @@ int main(int argc, char** argv) {
   int status = 0;
   add_measure_command(app, status);
   add_compare_command(app, status, argc, argv);
+  add_evaluate_command(app, status, argc, argv);
   add_experiment_command(app, status, argc, argv);
   add_validate_command(app, status);
   add_suite_command(app, status);
   add_verify_command(app, status);
+  add_pose_command(app, status);
   add_render_command(app, status);
   add_silhouette_command(app, status);
   add_convert_command(app, status);

@@ -21,7 +21,7 @@ namespace {
 
 enum class Picture { kDepth, kSilhouette, kShaded };
 
-struct Options {
+struct RenderCommand {
   std::vector<std::string> sources;
   std::size_t views = 66;
   render::RenderOptions render;
@@ -60,7 +60,7 @@ std::vector<std::uint8_t> in_eight_bits(const render::DepthImage& image) {
   return values;
 }
 
-std::string file_of(const render::DepthImage& image, const Options& options) {
+std::string file_of(const render::DepthImage& image, const RenderCommand& options) {
   if (options.picture == Picture::kSilhouette) {
     std::vector<std::uint8_t> values;
     for (const std::uint16_t d : image.depth) values.push_back(d == 0 ? 0 : 255);
@@ -81,7 +81,7 @@ struct Rendered {
 
 /// All views of one mesh and the sheet of them, into a folder of their own.
 Rendered render_source(const std::string& source, const std::filesystem::path& folder, const render::ViewSphere& sphere,
-                       const Options& options, const std::stop_token& stop) {
+                       const RenderCommand& options, const std::stop_token& stop) {
   const Mesh mesh = load_mesh(source).mesh;
   const render::Ball ball = render::ball_around(mesh);
   std::vector<report::SheetCell> cells(sphere.size());
@@ -110,7 +110,7 @@ Rendered render_source(const std::string& source, const std::filesystem::path& f
   return {mesh.triangles.size(), ball};
 }
 
-int run(Options options) {
+int run(RenderCommand options) {
   const render::ViewSphere sphere = [&] {
     try {
       return render::ViewSphere::of_size(options.views);
@@ -164,7 +164,7 @@ int run(Options options) {
 }  // namespace
 
 void add_render_command(CLI::App& app, int& status) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderCommand>();
   CLI::App* command = app.add_subcommand("render", "Draw meshes from a sphere of directions, as PNG files");
   command->add_option("source", options->sources, "Mesh files, folders of them, built-in shapes (shape:NAME?key=value)")
       ->required();

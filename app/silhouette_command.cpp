@@ -17,7 +17,10 @@
 namespace rectilin::app {
 namespace {
 
-struct Options {
+constexpr int kDigits = 12;
+constexpr double kOutward = 6e-12;  // more than rounding to so many digits changes
+
+struct SilhouetteCommand {
   std::vector<std::string> sources, directions;
   std::size_t views = 0;
   double tolerance = 1e-6;
@@ -42,7 +45,7 @@ Vector3 parse_direction(const std::string& text) {
   throw ParameterError("--direction: '" + text + "' is not x,y,z, three numbers that are not all zero");
 }
 
-std::vector<Vector3> directions_of(const Options& options) {
+std::vector<Vector3> directions_of(const SilhouetteCommand& options) {
   std::vector<Vector3> directions;
   for (const std::string& text : options.directions) directions.push_back(parse_direction(text));
   if (options.views > 0) {
@@ -57,7 +60,7 @@ std::vector<Vector3> directions_of(const Options& options) {
   return directions;
 }
 
-void write_picture(const Mesh& mesh, const Vector3& direction, const Options& options) {
+void write_picture(const Mesh& mesh, const Vector3& direction, const SilhouetteCommand& options) {
   const render::RenderOptions render{.size = options.size};
   const render::DepthImage image =
       render::ViewRenderer(mesh, render::ball_around(mesh), render).render(render::frame_towards(direction));
@@ -68,7 +71,7 @@ void write_picture(const Mesh& mesh, const Vector3& direction, const Options& op
 
 std::string text_of(const Vector3& d) { return general(d.x(), 4) + "," + general(d.y(), 4) + "," + general(d.z(), 4); }
 
-int run(const Options& options) {
+int run(const SilhouetteCommand& options) {
   const std::vector<Vector3> directions = directions_of(options);
   const std::vector<std::string> sources = expand_folders(options.sources);
   if (!options.picture.empty()) {
@@ -124,7 +127,7 @@ int run(const Options& options) {
 }  // namespace
 
 void add_silhouette_command(CLI::App& app, int& status) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SilhouetteCommand>();
   CLI::App* command = app.add_subcommand("silhouette", "Enclose the areas of meshes' silhouettes");
   command->add_option("source", options->sources, "Mesh files, folders of them, built-in shapes (shape:NAME?key=value)")
       ->required();

@@ -9,7 +9,7 @@ foreach(house IN LISTS houses)
   get_property(needed GLOBAL PROPERTY rectilin_houses_of_${house})
   get_property(packages GLOBAL PROPERTY rectilin_packages_of_${house})
   string(APPEND RECTILIN_HOUSE_TABLE
-    "set(rectilin_houses_of_${house} ${needed})\nset(rectilin_packages_of_${house} ${packages})\n")
+    "set(rectilin_houses_of_${house} ${needed})\nset(rectilin_packages_of_${house} \"${packages}\")\n")
   install(EXPORT rectilin-${house} NAMESPACE rectilin:: FILE rectilin-${house}-targets.cmake DESTINATION ${package_dir})
 endforeach()
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/rectilin-config.cmake.in

@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "rectilin/base/parameters.h"
+
 namespace rectilin {
 namespace {
 
@@ -17,12 +19,12 @@ using Json = nlohmann::json;
 using Matrix3 = Eigen::Matrix3d;
 using Extended3 = Eigen::Matrix<long double, 3, 1>;
 
-/// All rounding in a bound, relative to S = 1. Three cuts: a block of kBlock faces is summed in double precision,
-/// kBlock 2^-53 each, everything between blocks in more; a mixture adds kMostTerms of these, and their weights
+/// All rounding in a bound, relative to S = 1. Three cuts: a block of kSummedBlock faces is summed in double precision,
+/// kSummedBlock 2^-53 each, everything between blocks in more; a mixture adds kMostTerms of these, and their weights
 /// likewise, everything else is a few roundoffs. Then the polynomial's 27 coefficients.
-constexpr std::size_t kBlock = 1024, kMostTerms = 64;
+constexpr std::size_t kSummedBlock = 1024, kMostTerms = 64;
 constexpr double kAllowance = 1e-12;
-static_assert(3 * (kBlock + 2 * kMostTerms + 64) * 0x1p-53 < kAllowance / 2);
+static_assert(3 * (kSummedBlock + 2 * kMostTerms + 64) * 0x1p-53 < kAllowance / 2);
 static_assert(std::numeric_limits<long double>::digits >= 64, "sums over blocks need more than double precision");
 
 constexpr double kHalfEdge = 0.41421356237309510;  // of the zone's cube, at least sqrt(2) - 1
@@ -63,9 +65,9 @@ std::vector<Face> area_vectors_of(const MeshView& mesh) {
 /// chose the side. So sum |x . v_i| is at least x . (the result).
 Eigen::Vector3d cut(const std::vector<Face>& faces, const Eigen::Vector3d& u) {
   Extended3 total = Extended3::Zero();
-  for (std::size_t begin = 0; begin < faces.size(); begin += kBlock) {
+  for (std::size_t begin = 0; begin < faces.size(); begin += kSummedBlock) {
     Eigen::Vector3d block = Eigen::Vector3d::Zero();
-    for (std::size_t i = begin; i < std::min(begin + kBlock, faces.size()); ++i) {
+    for (std::size_t i = begin; i < std::min(begin + kSummedBlock, faces.size()); ++i) {
       const Face& v = faces[i];
       const double side = u.x() * v.x + u.y() * v.y + u.z() * v.z < 0 ? -1 : 1;
       block += side * Eigen::Vector3d(v.x, v.y, v.z);

@@ -1,5 +1,7 @@
 #include "rectilin/mesh/mesh_report.h"
 
+#include "rectilin/base/parameters.h"
+
 namespace rectilin {
 namespace {
 
@@ -34,20 +36,20 @@ std::string summary(const MeshReport& r) {
 
 Json to_json(const MeshReport& r) {
   Json json = {{"vertices", r.vertices},
-          {"polygons", r.polygons},
-          {"triangulated", r.triangulated},
-          {"nonfinite_vertices", r.nonfinite_vertices},
-          {"dropped_nonfinite", r.dropped_nonfinite},
-          {"dropped_short", r.dropped_short},
-          {"degenerate", r.degenerate},
-          {"duplicate_vertices", r.duplicate_vertices},
-          {"unreferenced_vertices", r.unreferenced_vertices},
-          {"odd_facets", r.odd_facets},
-          {"unknown_statements", r.unknown_statements},
-          {"first_unknown", text_or_null(r.first_unknown)},
-          {"left_over_bytes", r.left_over_bytes},
-          {"left_over_place", text_or_null(r.left_over_place)},
-          {"padding_bytes", r.padding_bytes}};
+               {"polygons", r.polygons},
+               {"triangulated", r.triangulated},
+               {"nonfinite_vertices", r.nonfinite_vertices},
+               {"dropped_nonfinite", r.dropped_nonfinite},
+               {"dropped_short", r.dropped_short},
+               {"degenerate", r.degenerate},
+               {"duplicate_vertices", r.duplicate_vertices},
+               {"unreferenced_vertices", r.unreferenced_vertices},
+               {"odd_facets", r.odd_facets},
+               {"unknown_statements", r.unknown_statements},
+               {"first_unknown", text_or_null(r.first_unknown)},
+               {"left_over_bytes", r.left_over_bytes},
+               {"left_over_place", text_or_null(r.left_over_place)},
+               {"padding_bytes", r.padding_bytes}};
   if (r.scene.metres_per_unit > 0)
     json["scene"] = {
         {"metres_per_unit", r.scene.metres_per_unit}, {"instances", r.scene.instances}, {"skipped", r.scene.skipped}};

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kWidth = 140, kPicture = 132, kHeight = 174,
               kLine = 14;          // of a cell and the picture in it, in pixels
-constexpr std::size_t kName = 22;  // columns of text that there is room for
+constexpr std::size_t kNameColumns = 22;  // columns of text that there is room for
 
 /// RFC 4648, section 4.
 std::string base64(std::string_view bytes) {
@@ -30,8 +30,8 @@ std::string base64(std::string_view bytes) {
 /// In one line or, if it does not fit and has a comma, in two.
 std::vector<std::string> lines(const std::string& name) {
   const std::size_t comma = name.find(", ");
-  if (width(printable(name)) <= kName || comma == std::string::npos) return {shortened_to_end(name, kName)};
-  return {shortened_to_end(name.substr(0, comma), kName), shortened_to_end(name.substr(comma + 2), kName)};
+  if (width(printable(name)) <= kNameColumns || comma == std::string::npos) return {shortened_to_end(name, kNameColumns)};
+  return {shortened_to_end(name.substr(0, comma), kNameColumns), shortened_to_end(name.substr(comma + 2), kNameColumns)};
 }
 
 }  // namespace

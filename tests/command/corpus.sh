@@ -63,10 +63,10 @@ END
 fi
 
 # Limits: a hard mesh costs its row.
-expect 0 '1 limited' "$rectilin" measure 'shape:blob?faces=4000000' shape:box -o limits.db --memory 50M
+expect 0 '1 limited' "$rectilin" measure 'shape:blob?faces=1000000' shape:box -o limits.db --memory 20M
 "$rectilin" export limits.db -o limits.csv >/dev/null
-grep -q 'more than 52428800 bytes of memory' limits.csv || fail 'the reason of the limit'
-expect 0 '0 done, .* 2 were there' "$rectilin" measure 'shape:blob?faces=4000000' shape:box -o limits.db
-expect 0 '1 done, .* 1 were there' "$rectilin" measure 'shape:blob?faces=4000000' shape:box -o limits.db --retry
+grep -q 'more than 20971520 bytes of memory' limits.csv || fail 'the reason of the limit'
+expect 0 '0 done, .* 2 were there' "$rectilin" measure 'shape:blob?faces=1000000' shape:box -o limits.db
+expect 0 '1 done, .* 1 were there' "$rectilin" measure 'shape:blob?faces=1000000' shape:box -o limits.db --retry
 
 finish corpus

@@ -17,6 +17,15 @@ expect() {
     fail "$* (status $got, expected $status and /$pattern/)"
 }
 
+# begin COMMAND...: runs it beside this script, as $pid, with signals as a terminal gives them: without job control bash
+# has commands behind & ignore SIGINT.
+begin() {
+  set -m
+  "$@" >out 2>err </dev/null &
+  pid=$!
+  set +m
+}
+
 finish() {
   [ $failures -eq 0 ] && echo "$1: all as expected"
   exit $((failures > 0))

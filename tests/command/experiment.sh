@@ -48,8 +48,7 @@ expect 0 'gnuplot is not installed' env PATH="$work/nothing" "$rectilin" experim
 [ "$(wc -l <err)" -eq 1 ] && [ -s bare/index.html ] && [ -s bare/fig15-meshes.svg ] || fail "one line, and the rest"
 
 # Ctrl-C: status 1 and one line.
-"$rectilin" experiment 'fig13?runs=10000' --out long >out 2>err &
-pid=$!
+begin "$rectilin" experiment 'fig13?runs=10000' --out long
 sleep 0.5
 kill -INT $pid
 wait $pid

@@ -8,7 +8,7 @@ using namespace rectilin::test;
 
 namespace {
 
-const Task kTask{"test", Json::object()};
+const Task kMergedTask{"test", Json::object()};
 
 Row row_of(const std::string& name, RowStatus status, const std::string& result) {
   Row row;
@@ -20,7 +20,7 @@ Row row_of(const std::string& name, RowStatus status, const std::string& result)
 }
 
 std::filesystem::path store_of(const std::filesystem::path& file, const std::vector<Row>& rows) {
-  Store store(file, kTask);
+  Store store(file, kMergedTask);
   for (const Row& row : rows) store.put(row);
   return file;
 }

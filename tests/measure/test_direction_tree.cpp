@@ -46,7 +46,7 @@ Directions cuts(const DirectionTree& tree, const Directions& u, double resolutio
 }
 
 /// Random directions, extreme ones, and some across which the given vectors lie.
-Directions test_directions(const Directions& vectors) {
+Directions tree_test_directions(const Directions& vectors) {
   Directions u = gaussian(10, 99);
   u.insert(
       u.end(),
@@ -60,7 +60,7 @@ Directions test_directions(const Directions& vectors) {
 
 void check_exact(const Directions& vectors) {
   const AreaVectors area = make_vectors(vectors);
-  const Directions u = test_directions(vectors);
+  const Directions u = tree_test_directions(vectors);
   std::vector<double> exact;
   for (const Vector3& w : u) exact.push_back(exact_value(vectors, w));
   for (const std::string& name : instruction_sets()) {
@@ -142,7 +142,7 @@ TEST_CASE("a resolution gives lower bounds and valid cuts", "[direction_tree]") 
   for (const Directions& vectors : {ellipsoid(16), gaussian(5000, 5)}) {
     const AreaVectors area = make_vectors(vectors);
     const DirectionTree tree(area);
-    const Directions u = test_directions(vectors);
+    const Directions u = tree_test_directions(vectors);
     const auto exact = values(tree, u);
     const double bound = DirectionTree::kErrorBound * area.total;
     for (const double resolution : {1e-6, 1e-3, 0.01, 0.03, 0.1, 0.3, 1.0, 1.5}) {

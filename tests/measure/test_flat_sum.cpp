@@ -22,7 +22,7 @@ Directions spread(std::size_t size, unsigned seed) {
 }
 
 /// Random directions, and those at which slopes are extreme or the sum has kinks.
-Directions test_directions(const Directions& vectors) {
+Directions flat_test_directions(const Directions& vectors) {
   Directions u = gaussian(13, 99);
   u.insert(u.end(), {Vector3::UnitX(),
                      -Vector3::UnitY(),
@@ -67,7 +67,7 @@ TEST_CASE("flat sums of every size agree with long double", "[flat_sum]") {
     CAPTURE(size);
     for (const Directions& vectors : {gaussian(size, 1), spread(size, 2)}) {
       const AreaVectors area = make_vectors(vectors);
-      const Directions u = test_directions(vectors);
+      const Directions u = flat_test_directions(vectors);
       std::vector<double> exact;
       for (const Vector3& w : u) exact.push_back(exact_value(vectors, w));
       on_every_target([&] {
@@ -147,7 +147,7 @@ TEST_CASE("cuts are minorants of h, tight where they were made", "[flat_sum]") {
     CAPTURE(size);
     for (const Directions& vectors : {gaussian(size, 8), spread(size, 9)}) {
       const AreaVectors area = make_vectors(vectors);
-      const Directions u = test_directions(vectors);
+      const Directions u = flat_test_directions(vectors);
       on_every_target([&] {
         for (const Precision precision : {Precision::kSingle, Precision::kDouble}) {
           const FlatSum sum(area, precision);

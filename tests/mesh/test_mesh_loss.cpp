@@ -1,4 +1,5 @@
 // Nothing of a file is lost silently: it is read, or said to be left out, or refused.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -145,7 +146,7 @@ TEST_CASE("what stands behind all that the header counts is reported", "[loss]")
                       "y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\n"
                       "element trifan 2\nproperty list uchar int vertex_indices\nend_header\n" +
                           kVertices + "3 0 1 2\n3 0 1 2\n3 0 1 2\n"),
-                 "2 statements that may be surface (the element 'trifan' in line 8)"));
+                 "2 statements that may be surface (the element 'trifan' in line 9)"));
 }
 
 TEST_CASE("OFF in other layouts", "[loss]") {
@@ -229,6 +230,8 @@ TEST_CASE("a long line of keywords takes no time", "[loss]") {
   for (int i = 0; i < 300000; ++i) text += " solid";
   CHECK(contains(said(MeshFormat::kStl, text + "\n"), "refused"));
   CHECK(contains(said(MeshFormat::kStl, text + " facet\n"), "refused"));
+  for (int i = 0; i < 300000; ++i) text += " endsolid solid facet";
+  CHECK(contains(said(MeshFormat::kStl, text + "\n"), "refused"));
 }
 
 TEST_CASE("binary STL is written only where single precision keeps the mesh", "[loss]") {
@@ -245,10 +248,10 @@ TEST_CASE("binary STL is written only where single precision keeps the mesh", "[
   CHECK(area(written(cube)) == Approx(6));
   CHECK(area(written(moved(1e15, 0))) == Approx(6e30));
   CHECK(area(written(moved(1e-15, 0))) == Approx(6e-30));
-  CHECK_THROWS_WITH(written(moved(1, 4.5e6)), Catch::Contains("single precision") && Catch::Contains("--recentre"));
+  CHECK_THROWS_WITH(written(moved(1.3, 4.5e6)), Catch::Contains("single precision") && Catch::Contains("--recentre"));
   CHECK_THROWS_WITH(written(moved(1e-50, 0)), Catch::Contains("single precision"));
   CHECK_THROWS_WITH(written(moved(1e-44, 0)), Catch::Contains("single precision"));
-  CHECK(area(written(moved(1, 4.5e6), true)) == Approx(6).epsilon(1e-6));
+  CHECK(area(written(moved(1.3, 4.5e6), true)) == Approx(6 * 1.69).epsilon(1e-6));
   CHECK_THROWS_AS(written(moved(1e-50, 0), true), MeshError);
   // Text and doubles hold anything.
   CHECK(mesh_bytes(moved(1e-50, 0), MeshFormat::kStl, {.binary = false}, "m.stl").starts_with("solid"));

@@ -12,6 +12,7 @@
 #include "claims/robustness.h"
 #include "claims/search_cost.h"
 #include "claims/search_domain.h"
+#include "rectilin/base/parameters.h"
 #include "rectilin/mesh/edits.h"
 #include "rectilin/mesh/source.h"
 #include "support/catch.h"

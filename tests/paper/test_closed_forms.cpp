@@ -13,7 +13,7 @@ using std::numbers::pi;
 
 namespace {
 
-constexpr double kRounding = 1e-11;  // of R: three sums of 1e-12
+constexpr double kFormRounding = 1e-11;  // of R: three sums of 1e-12
 
 /// Is `expected` within the certified bounds of R?
 void require_certified(AreaVectors vectors, double expected, double gap = 1e-6) {
@@ -24,8 +24,8 @@ void require_certified(AreaVectors vectors, double expected, double gap = 1e-6) 
   const CertifyResult result = certify(evaluator, options);
   INFO("expected " << expected);
   REQUIRE(result.closed);
-  REQUIRE(expected >= rectilinearity(result.incumbent.value) - kRounding);
-  REQUIRE(expected <= rectilinearity(result.lower) + kRounding);
+  REQUIRE(expected >= rectilinearity(result.incumbent.value) - kFormRounding);
+  REQUIRE(expected <= rectilinearity(result.lower) + kFormRounding);
 }
 
 std::string with(const std::string& text, double x) { return text + Json(x).dump(); }

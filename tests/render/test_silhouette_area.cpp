@@ -241,3 +241,60 @@ TEST_CASE("Pixels touched and pixels inside enclose the areas of real meshes", "
   }
   CHECK(checked > 0);
 }
+
+TEST_CASE("Hostile soups: no NaN, no endless halving, and intervals that agree", "[silhouette]") {
+  Random random(99);
+  const double values[] = {0,      -0.0,  1,      -1,          0.5,         1e-300, -1e-300,
+                           5e-324, 1e300, -1e300, 1 + 0x1p-52, 1 - 0x1p-53, 1e-8,   3};
+  const auto pick = [&](std::size_t many) { return values[static_cast<std::size_t>(random.uniform() * double(many))]; };
+  for (int run = 0; run < 400; ++run) {
+    // Most runs keep to numbers of one size, so that something is left to see beside the largest.
+    const std::size_t many = run % 4 == 0 ? 14 : run % 4 == 1 ? 8 : 5;
+    Mesh mesh;
+    for (int i = 0; i < 3 + run % 30; ++i) mesh.vertices.emplace_back(pick(many), pick(many), pick(many));
+    for (int i = 0; i < 1 + run % 50; ++i) {
+      const auto vertex = [&] { return static_cast<std::uint32_t>(random.uniform() * double(mesh.vertices.size())); };
+      mesh.triangles.push_back({vertex(), vertex(), vertex()});
+    }
+    const Silhouette silhouette(mesh);
+    for (const Vector3& u : {Vector3(0, 0, 1), Vector3(1, 1e-300, 0), Vector3(1, 1, 1), Vector3(1e-9, 1, 1e-10)}) {
+      const AreaInterval exact = silhouette.area(u, 0), rough = silhouette.area(u, 0.1);
+      CHECK(0 <= exact.lower);
+      CHECK(exact.lower <= exact.upper);
+      CHECK(std::isfinite(exact.lower));
+      CHECK(overlap(exact, rough));
+    }
+    const Ball ball = ball_around(mesh);
+    for (const Coverage coverage : {Coverage::kCentre, Coverage::kTouched})
+      CHECK(ViewRenderer(mesh, ball, {.size = 16, .coverage = coverage}).render({}).depth.size() == 256);
+  }
+}
+
+TEST_CASE("Many edges through one point, on one line, and around each other", "[silhouette]") {
+  Mesh fan{{{0, 0, 0}}, {}};  // blades that do not share their sides
+  Random random(8);
+  for (std::uint32_t i = 0; i < 3000; ++i) {
+    const double a = 2e-3 * i, b = a + 1e-3;
+    fan.vertices.insert(fan.vertices.end(), {{std::cos(a), std::sin(a), 0}, {std::cos(b), std::sin(b), 0}});
+    fan.triangles.push_back({0, 2 * i + 1, 2 * i + 2});
+  }
+  check_holds(silhouette_area(fan, kDown, 1e-6), 3000 * std::sin(1e-3) / 2, 1e-12);
+
+  Mesh rings;  // square frames of one width, apart by the same
+  for (int i = 1; i <= 200; ++i) {
+    const double a = 2 * i, b = a + 1;
+    for (const auto& [x, y, width, height] : {std::array{-b, -b, 2 * b, 1.0}, std::array{-b, a, 2 * b, 1.0},
+                                              std::array{-b, -a, 1.0, 2 * a}, std::array{a, -a, 1.0, 2 * a}})
+      add_rectangle(rings, x, y, width, height, 0);
+  }
+  double area = 0;
+  for (int i = 1; i <= 200; ++i) area += 4 * ((2 * i + 1) * (2 * i + 1) - 4 * i * i);
+  check_holds(silhouette_area(rings, kDown, 1e-6), area);
+
+  Mesh lattice;  // bars across bars: 40,000 openings
+  for (int i = 0; i < 200; ++i) {
+    add_rectangle(lattice, i, 0, 0.5, 200, 0);
+    add_rectangle(lattice, 0, i, 200, 0.5, 1);
+  }
+  check_holds(silhouette_area(lattice, kDown, 1e-6), 0.75 * 200 * 200);
+}

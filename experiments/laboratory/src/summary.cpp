@@ -11,7 +11,7 @@
 namespace rectilin {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoMean = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> final_gaps(const std::vector<const RunResult*>& runs) {
   std::vector<double> gaps;
@@ -67,8 +67,8 @@ std::vector<Standing> standings_at(const Results& results, std::uint64_t budget)
     }
   }
   for (Standing& s : standings) {
-    s.mean_rank = meshes > 0 ? s.mean_rank / static_cast<double>(meshes) : kNone;
-    s.gap = meshes > 0 ? std::exp(s.gap / static_cast<double>(meshes)) : kNone;
+    s.mean_rank = meshes > 0 ? s.mean_rank / static_cast<double>(meshes) : kNoMean;
+    s.gap = meshes > 0 ? std::exp(s.gap / static_cast<double>(meshes)) : kNoMean;
   }
   return standings;
 }
@@ -107,7 +107,7 @@ std::vector<Usage> usage_of(const Results& results) {
   for (std::size_t i = 0; i < usage.size(); ++i)
     for (double* mean : {&usage[i].evaluations, &usage[i].seconds, &usage[i].cpu_seconds, &usage[i].values,
                          &usage[i].cuts, &usage[i].smooths, &usage[i].turns})
-      *mean = runs[i] > 0 ? *mean / runs[i] : kNone;
+      *mean = runs[i] > 0 ? *mean / runs[i] : kNoMean;
   return usage;
 }
 
@@ -150,7 +150,7 @@ std::string target_name(double target) {
 bool decidable(const MeshResult& mesh, double target) { return mesh.error.empty() && mesh.width() <= target; }
 
 double gap_quantile(const std::vector<double>& gaps, double p) {
-  if (gaps.empty()) return kNone;
+  if (gaps.empty()) return kNoMean;
   std::vector<double> logs;
   for (const double gap : gaps) logs.push_back(std::log(gap));
   return std::exp(quantile(std::move(logs), p));

@@ -48,7 +48,7 @@ struct Least {
 /// any number.
 constexpr std::size_t kPerBucket = 16, kFewBuckets = 16, kMostBuckets = 4096;
 /// Vectors viewed at a time, on the stack.
-constexpr std::size_t kBlock = 512;
+constexpr std::size_t kTurnBlock = 512;
 /// A task's vectors at least, and tasks at most: each has sums of its own for every bucket.
 constexpr std::size_t kTask = 32768, kMostTasks = 16;
 
@@ -101,9 +101,9 @@ class Buckets {
   std::vector<Planar> sums(std::size_t begin, std::size_t end) {
     // Neighbours often share a bucket: two sums in turns do not wait for each other.
     std::vector<std::array<Planar, 2>> twofold(count_);
-    std::array<double, kBlock> x, y;
-    for (; begin < end; begin += kBlock) {
-      const std::size_t size = std::min(kBlock, end - begin);
+    std::array<double, kTurnBlock> x, y;
+    for (; begin < end; begin += kTurnBlock) {
+      const std::size_t size = std::min(kTurnBlock, end - begin);
       view_faces(faces_.slice(begin, begin + size), view_, x.data(), y.data(), &bucket_of_[begin]);
       for (std::size_t i = 0; i < size; ++i) {
         Planar& sum = twofold[bucket_of_[begin + i]][i % 2];
@@ -119,10 +119,10 @@ class Buckets {
   /// The kinks of the open buckets, sorted.
   std::vector<Kink> kinks_of(const std::vector<char>& open) const {
     std::vector<Kink> kinks;
-    std::array<double, kBlock> x, y;
-    std::array<std::int32_t, kBlock> bucket;
-    for (std::size_t begin = 0; begin < faces_.size; begin += kBlock) {
-      const std::size_t size = std::min(kBlock, faces_.size - begin);
+    std::array<double, kTurnBlock> x, y;
+    std::array<std::int32_t, kTurnBlock> bucket;
+    for (std::size_t begin = 0; begin < faces_.size; begin += kTurnBlock) {
+      const std::size_t size = std::min(kTurnBlock, faces_.size - begin);
       const auto is_open = [&](std::int32_t b) { return open[b] != 0; };
       if (std::none_of(&bucket_of_[begin], &bucket_of_[begin] + size, is_open)) continue;
       view_faces(faces_.slice(begin, begin + size), view_, x.data(), y.data(), bucket.data());

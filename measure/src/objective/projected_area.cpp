@@ -7,7 +7,7 @@ namespace rectilin {
 namespace {
 
 /// Rotations of one pass: enough to fill every thread, few enough to stay on the stack and in cache.
-constexpr std::size_t kPass = 256;
+constexpr std::size_t kRotationsPerPass = 256;
 
 }  // namespace
 
@@ -24,11 +24,11 @@ const DirectionTree& ProjectedArea::tree() const {
 }
 
 void ProjectedArea::values(std::span<const Rotation> rotations, std::span<double> values) const {
-  std::array<Vector3, 3 * kPass> directions;
-  std::array<double, 3 * kPass> h;
-  std::array<std::array<std::size_t, 3>, kPass> axes;  // where each rotation's axes are among the directions
-  for (std::size_t begin = 0; begin < rotations.size(); begin += kPass) {
-    const std::size_t count = std::min(kPass, rotations.size() - begin);
+  std::array<Vector3, 3 * kRotationsPerPass> directions;
+  std::array<double, 3 * kRotationsPerPass> h;
+  std::array<std::array<std::size_t, 3>, kRotationsPerPass> axes;  // where each rotation's axes are among the directions
+  for (std::size_t begin = 0; begin < rotations.size(); begin += kRotationsPerPass) {
+    const std::size_t count = std::min(kRotationsPerPass, rotations.size() - begin);
     std::size_t used = 0;
     for (std::size_t i = 0; i < count; ++i)
       for (int k = 0; k < 3; ++k) {
@@ -49,9 +49,9 @@ void ProjectedArea::values(std::span<const Rotation> rotations, std::span<double
 }
 
 void ProjectedArea::cuts(std::span<const Rotation> rotations, std::span<Cut> cuts) const {
-  std::array<Vector3, 3 * kPass> directions, subgradients;
-  for (std::size_t begin = 0; begin < rotations.size(); begin += kPass) {
-    const std::size_t count = std::min(kPass, rotations.size() - begin);
+  std::array<Vector3, 3 * kRotationsPerPass> directions, subgradients;
+  for (std::size_t begin = 0; begin < rotations.size(); begin += kRotationsPerPass) {
+    const std::size_t count = std::min(kRotationsPerPass, rotations.size() - begin);
     for (std::size_t i = 0; i < 3 * count; ++i) directions[i] = rotations[begin + i / 3].axis(static_cast<int>(i % 3));
     if (use_tree_) tree().cuts({directions.data(), 3 * count}, {subgradients.data(), 3 * count});
     else flat_.cuts({directions.data(), 3 * count}, {subgradients.data(), 3 * count});

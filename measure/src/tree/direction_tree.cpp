@@ -18,7 +18,7 @@ namespace {
 constexpr double kTaskVisits = 8192;
 
 // Directions of one pass, on the stack.
-constexpr std::size_t kPass = 1024;
+constexpr std::size_t kQueriesPerPass = 1024;
 
 }  // namespace
 
@@ -29,11 +29,11 @@ void DirectionTree::evaluate(std::span<const Vector3> u, std::span<Result> resul
   const double sine = std::sin(resolution);
   const double visits = std::sqrt(static_cast<double>(size() + 1));
   const auto grain = static_cast<std::size_t>(std::ceil(kTaskVisits / visits));
-  std::array<bool, kPass> done;
-  std::array<Vector3, kPass> left;
-  std::array<Result, kPass> found;
-  for (std::size_t pass = 0; pass < u.size(); pass += kPass) {
-    const tbb::blocked_range<std::size_t> all(0, std::min(kPass, u.size() - pass), grain);
+  std::array<bool, kQueriesPerPass> done;
+  std::array<Vector3, kQueriesPerPass> left;
+  std::array<Result, kQueriesPerPass> found;
+  for (std::size_t pass = 0; pass < u.size(); pass += kQueriesPerPass) {
+    const tbb::blocked_range<std::size_t> all(0, std::min(kQueriesPerPass, u.size() - pass), grain);
     const auto some = [&](const tbb::blocked_range<std::size_t>& range) {
       for (std::size_t k = range.begin(); k < range.end(); ++k) {
         const Vector3& w = u[pass + k];

@@ -114,6 +114,9 @@ bool Unpacker::next() {
     const char* path = archive_entry_pathname(entry);
     if (!path) continue;  // a name in no encoding that is known
     member_ = only_member_.empty() ? path : only_member_;
+    claimed_ = archive_entry_size_is_set(entry)
+                   ? static_cast<std::uint64_t>(std::max<std::int64_t>(0, archive_entry_size(entry)))
+                   : 0;
     unread_ = true;
     return true;
   }
@@ -143,6 +146,7 @@ void Unpacker::unpack(const Take& take) {
 
 std::string Unpacker::read() {
   std::string content;
+  content.reserve(std::min({claimed_, kSmall, kMaxRatio * packed_}));
   unpack([&](std::string_view block, std::size_t offset) {
     content.resize(std::max(content.size(), offset));  // sparse files have holes
     content.append(block);

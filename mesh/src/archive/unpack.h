@@ -55,6 +55,7 @@ class Unpacker {
   std::unique_ptr<archive, Close> archive_;
   std::string member_;
   std::size_t position_ = 0;
+  std::uint64_t claimed_ = 0;  ///< size of the member, as the archive has it
   bool started_ = false, unread_ = false;
 };
 

@@ -23,7 +23,7 @@ namespace {
 using Eigen::Affine3d;
 
 constexpr std::string_view kMagic = "glTF";
-constexpr std::size_t kMaxDepth = 64;                          // of brackets in the JSON: parsers recurse
+constexpr std::size_t kMostBrackets = 64;                          // of brackets in the JSON: parsers recurse
 constexpr std::uint64_t kMaxBuffers = std::uint64_t{1} << 31;  // bytes of all buffers together
 constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
 
@@ -51,7 +51,7 @@ void check_depth(std::string_view json, const std::string& name) {
     } else if (c == '"') {
       quoted = true;
     } else if (c == '{' || c == '[') {
-      if (++depth > kMaxDepth) throw MeshError(name + ":byte " + std::to_string(i) + ": the JSON is nested too deep");
+      if (++depth > kMostBrackets) throw MeshError(name + ":byte " + std::to_string(i) + ": the JSON is nested too deep");
     } else if ((c == '}' || c == ']') && depth > 0) {
       --depth;
     }

@@ -27,12 +27,6 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes) {
   return std::nullopt;
 }
 
-/// A pipe has no name that tells its format.
-bool is_file(const std::filesystem::path& file) {
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(file, ignored);
-}
-
 bool is_utf16(std::string_view bytes) { return bytes.substr(0, 2) == "\xFF\xFE" || bytes.substr(0, 2) == "\xFE\xFF"; }
 
 PolygonSoup read_soup(std::string_view bytes, MeshFormat format, const std::string& name, const ReadBeside& beside) {
@@ -102,7 +96,7 @@ LoadedMesh read_mesh(std::string_view bytes, const std::string& name, const Read
 LoadedMesh read_mesh(const std::filesystem::path& file) try {
   const std::string bytes = read_bytes(file);
   const auto beside = [&](const std::string& path) { return read_beside(file, path); };
-  if (!is_file(file) && !format_of_content(bytes) && !format_of_extension(file) && looks_like_obj(bytes))
+  if (!file.has_extension() && !format_of_content(bytes) && looks_like_obj(bytes))
     return read_mesh(bytes, MeshFormat::kObj, file.string(), beside);
   return read_mesh(bytes, file.string(), beside);
 } catch (const std::bad_alloc&) {

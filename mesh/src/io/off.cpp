@@ -36,7 +36,7 @@ std::optional<Keyword> parse_keyword(std::string_view word) {
   return keyword;
 }
 
-struct Header {
+struct OffHeader {
   bool homogeneous;
   std::int64_t vertices;
   std::int64_t faces;
@@ -79,7 +79,7 @@ Keyword read_keyword(LineReader& text) {
   return *keyword;
 }
 
-Header read_header(LineReader& text) {
+OffHeader read_off_header(LineReader& text) {
   text.next_line();
   const Keyword keyword = read_keyword(text);
   const std::string_view second = text.word();
@@ -89,7 +89,7 @@ Header read_header(LineReader& text) {
     text.fail("only vertices of three dimensions are supported");
   }
 
-  Header header{keyword.homogeneous, 0, 0};
+  OffHeader header{keyword.homogeneous, 0, 0};
   header.vertices = header_integer(text, "the number of vertices");
   header.faces = header_integer(text, "the number of faces");
   constexpr std::size_t kShortestVertex = 6, kShortestFace = 2;  // "0 0 0\n" and "0\n"
@@ -146,7 +146,7 @@ bool looks_like_off(std::string_view bytes) {
 PolygonSoup read_off(std::string_view bytes, const std::string& name) {
   PolygonSoup soup;
   LineReader text(without_padding(bytes, soup.report), name);
-  const Header header = read_header(text);
+  const OffHeader header = read_off_header(text);
   soup.vertices.reserve(static_cast<std::size_t>(header.vertices));
   for (std::int64_t i = 0; i < header.vertices; ++i) {
     next_record(text, "vertices", i, header.vertices);

@@ -78,7 +78,7 @@ class BinarySource {
 template <class Source>
 class BodyReader {
  public:
-  BodyReader(Source source, const Header& header, const LineReader& header_text, MeshReport report)
+  BodyReader(Source source, const PlyHeader& header, const LineReader& header_text, MeshReport report)
       : source_(std::move(source)), header_(header), header_text_(header_text) {
     soup_.report = std::move(report);
   }
@@ -235,7 +235,7 @@ class BodyReader {
   }
 
   Source source_;
-  const Header& header_;
+  const PlyHeader& header_;
   const LineReader& header_text_;  // for errors that blame the header
   PolygonSoup soup_;
   std::size_t vertices_ = 0;
@@ -252,7 +252,7 @@ bool looks_like_ply(std::string_view bytes) {
 
 PolygonSoup read_ply(std::string_view bytes, const std::string& name) {
   LineReader text(bytes, name);
-  const Header header = read_header(text);
+  const PlyHeader header = read_ply_header(text);
   if (header.encoding == Encoding::kText) {
     MeshReport report;
     LineReader body = text.within(without_padding(bytes, report));

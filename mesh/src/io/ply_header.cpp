@@ -63,9 +63,9 @@ std::size_t size_of(Type type) {
   return kSizes[static_cast<std::size_t>(type)];
 }
 
-Header read_header(LineReader& text) {
+PlyHeader read_ply_header(LineReader& text) {
   if (!text.next_line() || text.word() != "ply") text.fail("expected ply on the first line");
-  Header header;
+  PlyHeader header;
   while (text.next_line()) {
     const std::string_view keyword = text.word();
     if (keyword == "end_header") {

@@ -27,7 +27,7 @@ struct Element {
   std::vector<Property> properties;
 };
 
-struct Header {
+struct PlyHeader {
   std::optional<Encoding> encoding;
   std::vector<Element> elements;
 };
@@ -36,7 +36,7 @@ struct Header {
 std::size_t size_of(Type type);
 
 /// Reads up to the word end_header, whose line is then not yet left. Names refer to the text.
-Header read_header(LineReader& text);
+PlyHeader read_ply_header(LineReader& text);
 
 /// The first byte after the line of end_header, for binary data.
 std::size_t body_offset(const LineReader& text, std::string_view bytes);

@@ -165,26 +165,33 @@ class TextFile {
   }
 
   // The rest of the line is a name, but for what can only be the next facet, the end or the next solid, where all
-  // stands on one line. Any of these needs a facet on the line or ends the file's only solid.
+  // stands on one line.
   void pass_name() {
-    const bool one_line = line_has("facet") || line_has("endsolid");
+    find_last_marker();
     while (true) {
       LineReader next = text_;
       const std::string_view word = next.word();
       if (word.empty()) return;
-      if (one_line && (is_keyword(word, "endsolid") || is_keyword(word, "solid") ||
-                       (is_keyword(word, "facet") && is_keyword(LineReader(next).word(), "normal"))))
+      const bool marker_follows = next.offset() <= last_marker_;
+      if (marker_follows && (is_keyword(word, "endsolid") || is_keyword(word, "solid") || begins_facet(word, next)))
         return;
       text_ = next;
     }
   }
 
-  // Whether one of the words on the rest of the line is this.
-  bool line_has(std::string_view keyword) const {
+  static bool begins_facet(std::string_view word, LineReader behind) {
+    return is_keyword(word, "facet") && is_keyword(behind.word(), "normal");
+  }
+
+  // Sets last_marker_ to the end of the last word on this line that begins a facet or ends a solid. Once for each line,
+  // however many names it has.
+  void find_last_marker() {
+    if (text_.line() == marked_line_) return;
+    marked_line_ = text_.line();
+    last_marker_ = 0;
     LineReader next = text_;
     for (std::string_view word = next.word(); !word.empty(); word = next.word())
-      if (is_keyword(word, keyword)) return true;
-    return false;
+      if (is_keyword(word, "endsolid") || begins_facet(word, next)) last_marker_ = next.offset();
   }
 
   void read_facet() {
@@ -231,6 +238,7 @@ class TextFile {
 
   PolygonSoup soup_;
   LineReader text_;
+  std::size_t marked_line_ = 0, last_marker_ = 0;
 };
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace rectilin {
 namespace {
 
-constexpr int kMaxDepth = 64;
+constexpr int kMostNested = 64;
 
 /// The next element's tag, "object id="1" ...", without brackets; nothing at the end.
 std::optional<std::string_view> next_tag(std::string_view& xml) {
@@ -67,7 +67,7 @@ class Components {
 
  private:
   std::uint64_t repetitions(const std::string& object, int depth, const std::string& name) {
-    if (depth > kMaxDepth) throw MeshError(name + ": components are nested too deep");
+    if (depth > kMostNested) throw MeshError(name + ": components are nested too deep");
     const auto parts = parts_of_.find(object);
     if (parts == parts_of_.end()) return 1;
     if (const auto known = known_.find(object); known != known_.end()) return known->second;

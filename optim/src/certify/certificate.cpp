@@ -1,5 +1,7 @@
 #include "rectilin/optim/certificate.h"
 
+#include "rectilin/base/parameters.h"
+
 namespace rectilin {
 namespace {
 

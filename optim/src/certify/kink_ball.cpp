@@ -10,7 +10,7 @@ namespace {
 
 /// Faces this near to parallel (radians) may be given free signs. One that is only nearly parallel costs its
 /// |r . v|, so the largest tolerance need not give the largest ball.
-constexpr double kTolerances[] = {1e-12, 1e-10, 1e-8, 1e-6, 1e-4};
+constexpr double kBallTolerances[] = {1e-12, 1e-10, 1e-8, 1e-6, 1e-4};
 constexpr std::size_t kMostFree = 200, kMostSummands = 24;
 
 /// Rounding of half an angle's cosine as Balls computes it: of quaternions, products of four terms, roots.
@@ -39,7 +39,7 @@ struct Split {
   double total = 0;
 
   Split(const Generators& generators, const Rotation& frame) {
-    constexpr double kWidest = std::end(kTolerances)[-1];
+    constexpr double kWidest = std::end(kBallTolerances)[-1];
     const Eigen::Matrix3d& r = frame.matrix();
     for (std::size_t i = 0; i < generators.size(); ++i) {
       const Eigen::Vector3d v = generators[i], products = r * v;
@@ -135,7 +135,7 @@ double kink_ball(const Generators& generators, const Rotation& centre, double va
   const Split split(generators, centre);
   double best = 0;
   std::size_t previous = split.free.size() + 1;
-  for (const double tolerance : kTolerances) {
+  for (const double tolerance : kBallTolerances) {
     const auto end = std::ranges::lower_bound(split.free, tolerance, {}, &FreeGenerator::angle);
     const auto count = static_cast<std::size_t>(end - split.free.begin());
     if (count == previous || count > kMostFree) continue;

@@ -9,9 +9,9 @@
 namespace rectilin::bounding {
 namespace {
 
-constexpr double kTolerances[] = {1e-4, 1e-6, 1e-8, 1e-10};  // radians to being parallel at the start
+constexpr double kPolishTolerances[] = {1e-4, 1e-6, 1e-8, 1e-10};  // radians to being parallel at the start
 constexpr double kParallelInTheEnd = 1e-12;
-constexpr int kDescent = 20, kNewtonSteps = 8;
+constexpr int kPolishDescent = 20, kNewtonSteps = 8;
 constexpr double kIndependent = 0.1;  // sine of the angle between a condition and the span of those before
 
 struct Condition {
@@ -96,10 +96,10 @@ Rotation solve(const std::vector<Condition>& conditions, Rotation frame) {
 
 std::vector<ActiveGenerator> polish(Evaluator& evaluator) {
   Rotation start = evaluator.incumbent().rotation;
-  descend(evaluator, start, evaluator.cut(start), kDescent, 0);
+  descend(evaluator, start, evaluator.cut(start), kPolishDescent, 0);
   start = evaluator.incumbent().rotation;
   Neighbourhood faces(evaluator.objective().generators(), start);
-  for (const double tolerance : kTolerances) {
+  for (const double tolerance : kPolishTolerances) {
     const std::vector<Condition> conditions = independent(faces.near_parallel(start, tolerance), start);
     if (!conditions.empty()) evaluator.value(solve(conditions, start));
   }

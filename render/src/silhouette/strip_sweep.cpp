@@ -36,13 +36,13 @@ void StripSweep::add(const Cell& cell, std::span<const JumpEdge> edges, std::spa
 
 void StripSweep::add_strip(const Cell& cell, double low, double high, std::int32_t multiplicity, std::vector<Run>& runs,
                            CoveredArea& sum) {
-  // In the order of the middle of the strip, and moved to keep it at both ends.
-  for (std::size_t i = 1; i < runs.size(); ++i) {
-    const Run run = runs[i];
-    std::size_t k = i;
-    for (; k > 0 && runs[k - 1].low_x + runs[k - 1].high_x > run.low_x + run.high_x; --k) runs[k] = runs[k - 1];
-    runs[k] = run;
-  }
+  // In the order of the middle of the strip, and moved to keep it at both ends. Runs come nearly in order, but for the
+  // first strip of many.
+  const auto before = [](const Run& a, const Run& b) { return a.low_x + a.high_x < b.low_x + b.high_x; };
+  if (runs.size() > 32 && !std::is_sorted(runs.begin(), runs.end(), before))
+    std::sort(runs.begin(), runs.end(), before);
+  for (std::size_t i = 1; i < runs.size(); ++i)
+    for (std::size_t k = i; k > 0 && before(runs[k], runs[k - 1]); --k) std::swap(runs[k], runs[k - 1]);
   double low_end = cell.left, high_end = cell.left, low_length = 0, high_length = 0, moved = 0;
   std::int32_t m = multiplicity;
   for (const Run& run : runs) {

@@ -5,24 +5,15 @@
 #include <cstdint>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "rectilin/base/json_fwd.h"
+#include "rectilin/base/parameter_error.h"
+
 namespace rectilin {
-
-using Json = nlohmann::ordered_json;
-
-/// On one line or indented. Bytes that are not UTF-8, as names of files may have, are replaced.
-std::string to_text(const Json& value, int indent = -1);
-
-/// A wrong name, key or value. what() is one line that says which, and what would be accepted.
-class ParameterError : public std::invalid_argument {
- public:
-  using std::invalid_argument::invalid_argument;
-};
 
 /// A name and its settings as typed on a command line: `NAME?key=value&key=value`. A value that reads
 /// as a JSON number, boolean or null is one; any other is a string.

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "claims/ledger.h"
+#include "rectilin/base/parameters.h"
 
 namespace rectilin {
 namespace {

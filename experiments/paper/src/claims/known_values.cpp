@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rectilin/base/parameters.h"
 #include "rectilin/mesh/source.h"
 #include "rectilin/paper/closed_forms.h"
 

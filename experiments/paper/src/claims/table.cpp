@@ -10,6 +10,7 @@
 #include "claims/robustness.h"
 #include "claims/search_cost.h"
 #include "claims/search_domain.h"
+#include "claims/views.h"
 
 namespace rectilin::claims_detail {
 
@@ -58,6 +59,11 @@ const std::vector<ClaimTest>& claim_tests() {
       {"pyramid", nullptr, check_pyramid},
       {"stepped-pyramid", nullptr, check_stepped_pyramids},
       {"closed-forms", nullptr, check_closed_forms},
+      {"table-1", nullptr, check_table_1},
+      {"eq-29", nullptr, check_sphere_sizes},
+      {"eq-33-permutations", nullptr, check_permutations},
+      {"storage-44", nullptr, check_storage},
+      {"view-pairs-70", nullptr, check_view_pairs},
   };
   return tests;
 }

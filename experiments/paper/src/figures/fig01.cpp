@@ -19,7 +19,7 @@ struct Introduction {
     for (Sample& s : samples) s.pictured = Up::kZ;
     const std::vector<Measured> results = measure_all(samples, context);
     ExperimentResult result;
-    result.says = "R " + course(results) + ":";
+    result.says = "R " + course_text(results) + ":";
     for (std::size_t i = 0; i < samples.size(); ++i)
       result.says.append(i > 0 ? ", " : " ").append(samples[i].label + " " + four_digits(results[i].result.value));
     result.says += " (paper: in this order)";

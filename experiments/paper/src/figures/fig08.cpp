@@ -31,7 +31,7 @@ struct CutCubes {
           {depth, sample("depth " + number(depth), "shape:cut-cube?direction=" + towards + "&depth=" + number(depth))});
     }
     MeasuredSeries measured = measure(series, context);
-    measured.result.says = "R " + course(measured.members) + " as more is cut off (paper: well behaved)";
+    measured.result.says = "R " + course_text(measured.members) + " as more is cut off (paper: well behaved)";
     return measured.result;
   }
 };

@@ -42,7 +42,7 @@ struct FilletedCubes {
     MeasuredSeries measured = measure(series, context);
     for (std::size_t i = 0; i < measured.members.size(); ++i)
       worst = std::max(worst, std::abs(measured.members[i].result.value - ideal(series.members[i].number)));
-    measured.result.says = "R " + course(measured.members) + " with the radius (paper: well behaved), within " +
+    measured.result.says = "R " + course_text(measured.members) + " with the radius (paper: well behaved), within " +
                            four_digits(worst) + " of the ideal shapes' R";
     return measured.result;
   }

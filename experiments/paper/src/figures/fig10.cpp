@@ -32,7 +32,7 @@ struct Ellipsoids {
                           "shape:ellipsoid?a=" + number(length) + "&b=1&c=1&faces=" + std::to_string(faces))});
     }
     MeasuredSeries measured = measure(series, context);
-    measured.result.says = "R " + course(measured.members) + " with the length (paper: well behaved); the limit is " +
+    measured.result.says = "R " + course_text(measured.members) + " with the length (paper: well behaved); the limit is " +
                            four_digits(kNeedle);
     return measured.result;
   }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array kDeleted = {0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 0.99};
 constexpr double kClaimedAt = 0.9, kClaimed = 0.005;
-constexpr std::array kShown = {0.0, 0.5, 0.9, 0.99};
+constexpr std::array kPicturedParts = {0.0, 0.5, 0.9, 0.99};
 
 /// Of one mesh at one part of faces deleted, over all runs.
 struct Spread {
@@ -59,7 +59,7 @@ struct Deletion {
           const Random random = Random(seed).fork(static_cast<std::uint64_t>(run));
           samples.push_back({model.title + what, model.source + what + ", run " + std::to_string(run + 1),
                              [mesh = model.mesh, part, random] { return without_faces(*mesh, part, random); }});
-          if (run == 0 && std::ranges::count(kShown, part) > 0) samples.back().pictured = pose.of(model.source);
+          if (run == 0 && std::ranges::count(kPicturedParts, part) > 0) samples.back().pictured = pose.of(model.source);
         }
     return samples;
   }

@@ -11,7 +11,7 @@ namespace rectilin::figures {
 namespace {
 
 constexpr std::array kKept = {1.0, 0.5, 0.25, 0.1, 0.05, 0.025, 0.01};
-constexpr std::array kShown = {1.0, 0.1, 0.01};
+constexpr std::array kPicturedTargets = {1.0, 0.1, 0.01};
 
 struct Simplification {
   int faces = 100'000;
@@ -33,7 +33,7 @@ struct Simplification {
                              const double kept = part * static_cast<double>(mesh->triangles.size());
                              return simplified(*mesh, static_cast<std::size_t>(kept));
                            }});
-        if (std::ranges::count(kShown, part) > 0) samples.back().pictured = pose.of(model.source);
+        if (std::ranges::count(kPicturedTargets, part) > 0) samples.back().pictured = pose.of(model.source);
       }
     const std::vector<Measured> results = measure_all(samples, context);
     for (std::size_t i = 0; i < samples.size(); ++i)  // what was asked for is not always reached

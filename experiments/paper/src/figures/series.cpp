@@ -7,7 +7,7 @@
 namespace rectilin::figures {
 namespace {
 
-constexpr std::size_t kShown = 8;  // pictures of meshes
+constexpr std::size_t kMostPictures = 8;  // pictures of meshes
 
 NamedPlot curve(const Series& series, const MeasuredSeries& measured) {
   std::vector<std::string> columns = {series.axis.label, "R", "lower", "upper", "faces"};
@@ -43,7 +43,7 @@ void show_some(std::vector<Sample>& samples, std::size_t count) {
 
 }  // namespace
 
-std::string course(const std::vector<Measured>& members) {
+std::string course_text(const std::vector<Measured>& members) {
   const auto& order = &Measured::value;
   const char* verb = std::ranges::is_sorted(members, std::less(), order)      ? "rises"
                      : std::ranges::is_sorted(members, std::greater(), order) ? "falls"
@@ -55,7 +55,7 @@ std::string course(const std::vector<Measured>& members) {
 MeasuredSeries measure(const Series& series, const ExperimentContext& context) {
   std::vector<Sample> all;
   for (const Series::Member& member : series.members) all.push_back(member.sample);
-  show_some(all, kShown - series.compared.size());
+  show_some(all, kMostPictures - series.compared.size());
   for (const Sample& other : series.compared) all.push_back(other), all.back().pictured = Up::kZ;
   const std::vector<Measured> results = measure_all(all, context);
 

@@ -30,7 +30,7 @@ struct MeasuredSeries {
 
 /// "falls from 1.0000 to 0.4000", "rises from ... to ..." or, if it does neither throughout, "goes
 /// from ... to ...".
-std::string course(const std::vector<Measured>& members);
+std::string course_text(const std::vector<Measured>& members);
 
 /// Measures all and draws R against the number.
 MeasuredSeries measure(const Series& series, const ExperimentContext& context);

@@ -1,18 +1,17 @@
 // A mesh as the measure sees it: its faces' area vectors, nothing else.
 #pragma once
 
-#include <tbb/cache_aligned_allocator.h>
-
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "rectilin/base/cache_aligned.h"
 #include "rectilin/base/rotation.h"
 #include "rectilin/mesh/mesh_view.h"
 
 namespace rectilin {
 
-using AlignedDoubles = std::vector<double, tbb::cache_aligned_allocator<double>>;
+using AlignedDoubles = CacheAligned<double>;
 
 /// The area vectors of a mesh, one per distinct direction, as a structure of arrays.
 ///
@@ -47,8 +46,8 @@ AreaVectors area_vectors(std::vector<Vector3> vectors);
 
 /// The same for normals with weights, such as those of a point cloud or a Gauss map: vector i has the direction of
 /// normal i, whatever its length, and the length weights[i]; all are 1 if there are no weights. Throws MeshError, which
-/// names the place, for a normal that is zero or not finite and for a weight that is negative or not finite, for another
-/// number of weights than of normals, and if all weights are zero.
+/// names the place, for a normal that is zero or not finite and for a weight that is negative or not finite, for
+/// another number of weights than of normals, and if all weights are zero.
 AreaVectors area_vectors_of_normals(std::span<const Vector3> normals, std::span<const double> weights = {});
 
 /// The area vectors of the mesh turned by `rotation`, each at its old place.

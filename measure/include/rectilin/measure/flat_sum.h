@@ -65,7 +65,7 @@ class FlatSum {
   const AreaVectors* vectors_;
   Precision precision_;
   const FlatKernels* kernels_;
-  std::vector<float, tbb::cache_aligned_allocator<float>> single_;  // x, y, z, each padded with zeros
+  CacheAligned<float> single_;        // x, y, z, each padded with zeros
   std::array<double, 24> tail_ = {};  // the last vectors, padded with zeros: no lane reads past the end
   Vector3 total_ = Vector3::Zero();   // sum of the v_i, signed as they come
 };

@@ -7,7 +7,6 @@
 #include <string>
 #include <string_view>
 
-#include "rectilin/base/parameters.h"
 #include "rectilin/mesh/mesh.h"
 
 namespace rectilin {
@@ -50,7 +49,8 @@ std::optional<MeshFormat> format_of_extension(const std::filesystem::path& file)
 ///   NUL or white space behind that. Refused: any other size, with what it may come from (several files in one, a copy
 ///   in text mode, more data behind each triangle).
 ///
-/// glTF 2.0, text and binary, with the buffers in files beside it and below (never elsewhere); 3MF. The scene is read: what
+/// glTF 2.0, text and binary, with the buffers in files beside it and below (never elsewhere); 3MF. The scene is read:
+/// what
 ///   it shows, or is to be built, with every instance in its place, in metres (see MeshReport::scene). Skins, morph
 ///   targets, materials and images are left out; a file that needs a compression of its geometry (Draco, meshopt) is
 ///   refused, and so is one whose instances come to more than 2^25 vertices and triangles. A 3MF file may unpack to 300

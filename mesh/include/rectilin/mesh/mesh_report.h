@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "rectilin/base/parameters.h"
+#include "rectilin/base/json_fwd.h"
 #include "rectilin/mesh/mesh.h"
 
 namespace rectilin {

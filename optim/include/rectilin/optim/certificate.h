@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rectilin/base/parameters.h"
+#include "rectilin/base/json_fwd.h"
 #include "rectilin/base/rotation.h"
 
 namespace rectilin {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rectilin/base/parameters.h"
+#include "rectilin/base/parameter_error.h"
 #include "rectilin/base/rotation.h"
 #include "rectilin/mesh/mesh.h"
 

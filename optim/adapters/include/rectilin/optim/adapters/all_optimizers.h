@@ -1,7 +1,7 @@
 // Optimizers of other libraries, and all optimizers of this build.
 #pragma once
 
-#include "rectilin/base/parameters.h"
+#include "rectilin/base/json_fwd.h"
 #include "rectilin/optim/registry.h"
 
 namespace rectilin {

@@ -1,0 +1,24 @@
+// From names to descriptors.
+#include "descriptors/gsmd.h"
+#include "descriptors/histograms.h"
+#include "descriptors/lfd.h"
+#include "descriptors/rectilinearity.h"
+#include "descriptors/shd.h"
+#include "rectilin/retrieval/descriptor.h"
+
+namespace rectilin::retrieval {
+
+const DescriptorFactory& descriptors() {
+  static const DescriptorFactory factory = [] {
+    DescriptorFactory f("descriptor");
+    add_rectilinearity(f);
+    add_histograms(f);
+    add_shd(f);
+    add_gsmd(f);
+    add_lfd(f);
+    return f;
+  }();
+  return factory;
+}
+
+}  // namespace rectilin::retrieval
