@@ -248,8 +248,8 @@ py::list runs_of(const Comparison& c) {
   const py::object path = py::module_::import("pathlib").attr("Path")(c.folder) / py::str("runs.jsonl");
   const py::object loads = py::module_::import("json").attr("loads");
   py::list runs;
-  for (const py::handle line : path.attr("read_text")(py::arg("encoding") = "utf-8").attr("splitlines")())
-    runs.append(loads(line));
+  const py::list lines = path.attr("read_text")(py::arg("encoding") = "utf-8").attr("strip")().attr("split")("\n");
+  for (const py::handle line : lines) runs.append(loads(line));
   const py::object key = py::module_::import("operator").attr("itemgetter")("mesh", "entry", "run");
   runs.attr("sort")(py::arg("key") = key);
   return runs;
