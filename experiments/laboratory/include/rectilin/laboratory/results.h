@@ -74,9 +74,10 @@ inline bool is_foreign(const Entry& entry) { return entry.domain == "-"; }
 /// Short names of sources: file names without folders and endings where that leaves them unique, else the sources.
 std::vector<std::string> titles(const std::vector<std::string>& sources);
 
-/// Reads plan.json, meshes.jsonl, runs.jsonl and foreign.jsonl, whose programs are entries behind those of the plan. Gaps are to the certified upper bound of R, so they are never
-/// too small, and at least the certificate's width; before its first evaluation a run has the gap of the least
-/// R there can be (P <= sqrt(3) S, eq. 12). Throws std::runtime_error if the folder holds no comparison.
+/// Reads plan.json, meshes.jsonl, runs.jsonl and foreign.jsonl, whose programs are entries behind those of the plan.
+/// Gaps are to the certified upper bound of R, so they are never too small, and at least the certificate's width;
+/// before its first evaluation a run has the gap of the least R there can be (P <= sqrt(3) S, eq. 12). Throws
+/// std::runtime_error if the folder holds no comparison.
 Results load_results(const std::filesystem::path& folder);
 
 }  // namespace rectilin
