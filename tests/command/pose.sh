@@ -44,4 +44,14 @@ expect 1 'line\.off: ' "$rectilin" pose --json line.off triangle.off huge.off na
 grep -qi 'nan\b.*nan\b' bad/*.off && fail 'NaN in a file'
 expect 1 'cannot be written' "$rectilin" pose triangle.off --write /dev/null/x.off
 
+# Silhouettes as the objective of a comparison: gaps to the best found, none of them negative, and no optimizer that
+# needs more than values.
+expect 0 'sil/index.html' "$rectilin" compare shape:lshape --objective silhouette --runs 2 --budget 60 \
+  --certificate 'super-fibonacci?count=200' -o 'random, super-fibonacci?count=50' --out sil
+grep -q 'nothing can be proved' sil/index.html || fail 'the page says what the gap is'
+awk -F, 'NR == 1 {for (i = 1; i <= NF; i++) if ($i == "gap") g = i} NR > 1 && $g < 0 {bad = 1} END {exit bad}' sil/runs.csv ||
+  fail 'negative gaps'
+expect 2 'another plan .objective silhouette' "$rectilin" compare shape:lshape --runs 2 --budget 60 -o random --out sil
+expect 2 'objective' "$rectilin" compare shape:lshape --objective moon
+
 finish pose

@@ -8,7 +8,7 @@
 namespace rectilin::figures {
 namespace {
 
-constexpr double kRight = 10 * std::numbers::pi / 180;
+constexpr double kRightAngle = 10 * std::numbers::pi / 180;
 
 /// The methods, in the order of the rows.
 const std::vector<std::string> kMethods = {"pca", "rectilinear", "cpn", "composite"};
@@ -36,7 +36,7 @@ struct Failures {
     std::erase_if(models, [](const PosedModel& m) { return !m.error.empty(); });
     const std::size_t total = models.size();
     const auto right = [](const PosedModel& model, std::size_t method) {
-      return frame_angle(model.poses[method].pose.rotation, Rotation()) <= kRight;
+      return frame_angle(model.poses[method].pose.rotation, Rotation()) <= kRightAngle;
     };
     const auto ours = std::ranges::count_if(models, [&](const PosedModel& m) { return right(m, 3); });
     std::erase_if(models, [&](const PosedModel& m) { return right(m, 2); });

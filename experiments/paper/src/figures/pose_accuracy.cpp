@@ -176,7 +176,8 @@ struct Accuracy {
         return std::ranges::find(separate, pose.group) == separate.end();
       });
       Json row = {{"method", names[m]}};
-      for (const auto& [key, of] : {std::pair{"all", &poses[m]}, std::pair{"without_apart", &rest}}) {
+      using Part = std::pair<const char*, const std::vector<ScoredPose>*>;
+      for (const auto& [key, of] : {Part{"all", &poses[m]}, Part{"without_apart", &rest}}) {
         if (of == &rest && separate.empty()) continue;
         Json part;
         for (const double degrees : kWithin) {
