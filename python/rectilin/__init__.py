@@ -14,7 +14,7 @@ Measure
 
 Optimize
     >>> problem = rectilin.Problem('shape:pyramid')  # P/S as a function of rotations
-    >>> problem.values(r.rotation) < problem.values([0, 0, 0, 1])
+    >>> problem.values(r.rotation) < problem.values([0.1, 0.2, 0.3, 1])
     True
     >>> run = rectilin.optimize(problem, 'ga', budget=2000)
     >>> run.rectilinearity <= r.upper
