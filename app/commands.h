@@ -12,10 +12,12 @@ void add_compare_command(CLI::App& app, int& status, int argc, const char* const
 void add_evaluate_command(CLI::App& app, int& status, int argc, const char* const* argv);
 void add_experiment_command(CLI::App& app, int& status, int argc, const char* const* argv);
 void add_validate_command(CLI::App& app, int& status);
+void add_suite_command(CLI::App& app, int& status);
 void add_verify_command(CLI::App& app, int& status);
 void add_render_command(CLI::App& app, int& status);
 void add_silhouette_command(CLI::App& app, int& status);
 void add_convert_command(CLI::App& app, int& status);
+void add_pose_command(CLI::App& app, int& status);
 void add_list_commands(CLI::App& app);
 void add_corpus_commands(CLI::App& app, int& status);
 

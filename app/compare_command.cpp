@@ -10,6 +10,7 @@
 #include "rectilin/laboratory/report.h"
 #include "rectilin/mesh/source.h"
 #include "rectilin/optim/adapters/all_optimizers.h"
+#include "rectilin/pose/summed_silhouette.h"
 #include "terminal.h"
 
 namespace rectilin::app {
@@ -24,15 +25,27 @@ struct CompareOptions {
   int threads = 0;
 };
 
-/// Optimizers worth comparing where none are named: those of this list that are there.
-std::vector<std::string> default_optimizers(const Registry& registry) {
+/// Does an optimizer do with an objective that gives nothing but values?
+bool asks_for_values(const Registry& registry, std::string_view spec) {
+  const Capabilities needs = registry.make(spec)->capabilities();
+  return !needs.needs_cuts && !needs.needs_smooth && !needs.needs_turns;
+}
+
+/// Searches for the best known value where there is no proof; and the relative width to which silhouettes are known.
+constexpr const char* kReference = "super-fibonacci?count=2000+nelder-mead";
+constexpr double kSilhouetteWidth = 1e-7;
+
+/// Optimizers worth comparing where none are named: those of this list that are there and, unless `all`, that ask for
+/// values alone.
+std::vector<std::string> default_optimizers(const Registry& registry, bool all) {
   std::vector<std::string> present;
   for (const char* wish : {"ga", "gray-ga=ga?encoding=gray&selection=tournament", "grid", "random", "super-fibonacci",
                            "anneal", "multistart", "axis-sweep", "hybrid", "ceres", "nlopt:GN_DIRECT_L",
                            "nlopt:GN_CRS2_LM", "pagmo:cmaes", "pagmo:sade"}) {
     const std::string_view spec = split_label(wish).spec;
     for (const Registry::Entry& entry : registry.entries())
-      if (entry.name == spec.substr(0, spec.find('?'))) present.push_back(wish);
+      if (entry.name == spec.substr(0, spec.find('?')) && (all || asks_for_values(registry, spec)))
+        present.push_back(wish);
   }
   return present;
 }
@@ -47,7 +60,8 @@ int compare(CompareOptions options, const std::string& command_line) {
   const Registry& registry = all_optimizers();
   Plan& plan = options.plan;
   plan.meshes = expand_folders(options.sources);
-  if (options.optimizers.empty()) options.optimizers = default_optimizers(registry);
+  if (options.optimizers.empty()) options.optimizers = default_optimizers(registry, plan.proves());
+  if (!plan.proves() && plan.certificate == Plan().certificate) plan.certificate = kReference;
   plan.entries = parse_entries(options.optimizers, options.domains, registry);
 
   const auto limit = limit_threads(options.threads);
@@ -58,6 +72,9 @@ int compare(CompareOptions options, const std::string& command_line) {
     ComparisonSettings settings;
     settings.stop = stop_on_interrupt();
     settings.command_line = command_line;
+    settings.objective = [](const std::string& name) -> std::shared_ptr<const Objective> {
+      return std::make_shared<pose::SummedSilhouette>(load_mesh(name).mesh, kSilhouetteWidth, name);
+    };
     settings.on_progress = [&](const ComparisonProgress& now) {
       if (!progress) progress = std::make_unique<Progress>(plan.meshes.size() * plan.entries.size() * plan.runs);
       progress->show(now.done, time_left(now.seconds_left) + now.text);
@@ -108,6 +125,12 @@ void add_compare_command(CLI::App& app, int& status, int argc, const char* const
       ->check(CLI::IsMember({"paper", "covering", "zone"}))
       ->capture_default_str();
   command->add_option("-O,--out", options->out, "Folder for everything")->capture_default_str();
+  command
+      ->add_option("--objective", options->plan.objective,
+                   "What is searched: rectilinearity, or silhouette (the summed area of three silhouettes over the "
+                   "surface's: there is no proof, so gaps are to the best value found)")
+      ->check(CLI::IsMember({kRectilinearity, "silhouette"}))
+      ->capture_default_str();
   command
       ->add_option("-c,--certificate", options->plan.certificate,
                    "Optimizer that bounds R of each mesh; gaps are measured against its bound")

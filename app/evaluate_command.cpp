@@ -56,7 +56,7 @@ int evaluate(EvaluateOptions options, const std::string& command_line) {
   if (!options.tune.empty()) evaluation::add_terms(plan.contestants, tuning);
 
   const auto limit = limit_threads(options.threads);
-  std::vector<std::string> troubles;
+  PictureTroubles troubles;
   evaluation::Evaluation result;
   evaluation::TuningOutcome tuned;
   {
@@ -80,11 +80,11 @@ int evaluate(EvaluateOptions options, const std::string& command_line) {
   if (!result.missing.empty())
     complain("no mesh file for " + std::to_string(result.missing.size()) + " models: " + listed(result.missing));
   if (!result.empty_classes.empty()) complain("empty classes: " + listed(result.empty_classes));
-  for (const std::string& trouble : troubles) complain(trouble);
+  for (const std::string& trouble : troubles.lines) complain(trouble);
   print_scores(result);
   for (const std::string& line : tuned.lines) std::cout << line << '\n';
   std::cout << options.out << "/index.html\n";
-  return result.errors.empty() ? 0 : 1;
+  return result.errors.empty() && !troubles.failed ? 0 : 1;
 }
 
 }  // namespace

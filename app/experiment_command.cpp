@@ -21,6 +21,7 @@ struct ExperimentOptions {
   std::string out = "figures";
   std::uint64_t seed = 1;
   std::optional<double> gap;
+  std::string classes;
   int threads = 0;
   bool quick = false;
 };
@@ -88,10 +89,12 @@ int experiment(const ExperimentOptions& options, const std::string& command_line
   Runner runner(options, command_line);
   int status = 0;
   if (options.spec != kAll) {
-    const Spec spec = Spec::parse(options.spec);
+    Spec spec = Spec::parse(options.spec);
+    if (!options.classes.empty()) spec.settings["classes"] = options.classes;
     status = runner.run(find_experiment(spec.name), spec.settings);
   } else {
-    if (!options.meshes.empty()) throw ParameterError("'all' takes no meshes; give them to one experiment at a time");
+    if (!options.meshes.empty() || !options.classes.empty())
+      throw ParameterError("'all' takes no meshes; give them to one experiment at a time");
     for (const Experiment& one : experiments()) status = std::max(status, runner.run(one, Json::object()));
   }
   std::cout << printable(options.out) << "/index.html\n";
@@ -112,10 +115,12 @@ void add_experiment_command(CLI::App& app, int& status, int argc, const char* co
   command->add_option("-O,--out", options->out, "Folder for everything")->capture_default_str();
   command->add_option("-s,--seed", options->seed, "Seed of everything random")->check(seed())->capture_default_str();
   command->add_option("-g,--gap", options->gap, "Width to which R is certified (default: 1e-6)")->check(width());
+  command->add_option("--classes", options->classes, "Classes of the models (.cla), for experiments that take them");
   command->add_flag("-q,--quick", options->quick, "Small: about a second for each experiment, and a gap of 1e-3");
   add_threads_option(*command, options->threads, "the answer is the same for any");
   command->footer(
-      "Every R is certified. OUT/NAME.json holds all numbers; each picture has a CSV file beside it, and a gnuplot file\n"
+      "Every R is certified. OUT/NAME.json holds all numbers; each picture has a CSV file beside it, and a gnuplot "
+      "file\n"
       "if it is a curve. OUT/index.html shows all experiments in the folder. One line says how the outcome compares\n"
       "with the paper.\n"
       "Examples: rectilin experiment\n"

@@ -1,10 +1,11 @@
-// rectilin optimizers, rectilin shapes: what there is, with every parameter.
+// rectilin optimizers, rectilin poses, rectilin shapes: what there is, with every parameter.
 #include <algorithm>
 #include <iostream>
 
 #include "commands.h"
 #include "rectilin/mesh/shapes.h"
 #include "rectilin/optim/adapters/all_optimizers.h"
+#include "rectilin/pose/pose.h"
 #include "rectilin/retrieval/descriptor.h"
 #include "terminal.h"
 
@@ -56,12 +57,14 @@ void add_list_commands(CLI::App& app) {
       [] { return all_optimizers().entries(); },
       [](const Registry::Entry& entry) { return to_json(all_optimizers().make(entry.name)->capabilities()); });
   add_list(
+      app, "poses", "List the methods of 'rectilin pose' and their parameters",
+      [] { return pose::pose_methods().entries(); }, [](const auto&) { return Json::object(); });
+  add_list(
       app, "shapes", "List the built-in shapes and their parameters", [] { return shape_table().entries(); },
       [](const Factory<Mesh>::Entry&) { return Json::object(); });
   add_list(
       app, "descriptors", "List the shape descriptors and their parameters",
-      [] { return retrieval::descriptors().entries(); },
-      [](const auto&) { return Json::object(); });
+      [] { return retrieval::descriptors().entries(); }, [](const auto&) { return Json::object(); });
 }
 
 }  // namespace rectilin::app

@@ -27,7 +27,9 @@ int main(int argc, char** argv) {
   add_evaluate_command(app, status, argc, argv);
   add_experiment_command(app, status, argc, argv);
   add_validate_command(app, status);
+  add_suite_command(app, status);
   add_verify_command(app, status);
+  add_pose_command(app, status);
   add_render_command(app, status);
   add_silhouette_command(app, status);
   add_convert_command(app, status);

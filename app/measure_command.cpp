@@ -189,9 +189,10 @@ void add_measure_command(CLI::App& app, int& status) {
       ->add_option("-p,--proof", options->proof,
                    "File for a proof of the bounds, one mesh; 'rectilin verify' checks it")
       ->check([](const std::string& file) { return file.empty() ? "a proof needs a file's name" : ""; });
-  command->add_flag("--normals", options->normals,
-                    "The sources are point clouds: PLY files with nx, ny, nz, and weight or area if they have it. R and "
-                    "the pose are those of their normals: the certified Manhattan frame");
+  command->add_flag(
+      "--normals", options->normals,
+      "The sources are point clouds: PLY files with nx, ny, nz, and weight or area if they have it. R and "
+      "the pose are those of their normals: the certified Manhattan frame");
   command->add_flag("--optima", options->optima, "Find all poses within the gap (shown with --json)");
   command
       ->add_option("-d,--domain", options->domain,

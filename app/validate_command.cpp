@@ -158,7 +158,8 @@ void add_validate_command(CLI::App& app, int& status) {
                     "Print the ledger of claims as a table in Markdown; test nothing");
   command->add_flag("-l,--list", options->list, "Print the claims and how they are tested; test nothing");
   command->footer(
-      "A margin is the room between what was seen and what the claim allows. A claim holds if the worst margin is zero\n"
+      "A margin is the room between what was seen and what the claim allows. A claim holds if the worst margin is "
+      "zero\n"
       "within the tolerance, holds with margin above that, and fails below. Exit status 1: a claim that should hold\n"
       "failed, or a mesh could not be read.\n"
       "Examples: rectilin validate\n"

@@ -15,7 +15,9 @@ void register_tree_benchmarks();
 void register_mesh_benchmarks();
 void register_search_benchmarks();
 void register_proof_benchmarks();
+void register_pose_benchmarks();
 void register_view_benchmarks();
+void register_retrieval_benchmarks();
 
 /// Keeps TBB to so many threads while it lives.
 inline tbb::global_control threads(int count) {

@@ -12,7 +12,9 @@ int main(int argc, char** argv) {
   register_mesh_benchmarks();
   register_search_benchmarks();
   register_proof_benchmarks();
+  register_pose_benchmarks();
   register_view_benchmarks();
+  register_retrieval_benchmarks();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }

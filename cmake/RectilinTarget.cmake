@@ -19,10 +19,11 @@ endfunction()
 # A house, that is a library of the project: the target rectilin_NAME, exported as rectilin::NAME, headers in include/.
 #   SOURCES   its files
 #   HOUSES    the houses whose headers its own headers include; linked
+#   APART     its sources have names in common that are private to each: never compiled as one, see rectilin_unite()
 #   COLD      its own code takes next to no time when it runs: see rectilin_cold()
 #   PACKAGES  packages that a program which links it must find, beyond those of HOUSES: "NAME" or "NAME VERSION"
 function(rectilin_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 house "COLD" "" "SOURCES;HOUSES;PACKAGES")
+  cmake_parse_arguments(PARSE_ARGV 1 house "APART;COLD" "" "SOURCES;HOUSES;PACKAGES")
   set(target rectilin_${name})
   add_library(${target} ${house_SOURCES})
   add_library(rectilin::${name} ALIAS ${target})
@@ -39,7 +40,9 @@ function(rectilin_library name)
   else()
     rectilin_precompile(${target})
   endif()
-  rectilin_unite(${target})
+  if(NOT house_APART)
+    rectilin_unite(${target})
+  endif()
   set_property(GLOBAL APPEND PROPERTY rectilin_houses ${name})
   set_property(GLOBAL PROPERTY rectilin_houses_of_${name} "${house_HOUSES}")
   set_property(GLOBAL PROPERTY rectilin_packages_of_${name} "${house_PACKAGES}")

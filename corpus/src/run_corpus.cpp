@@ -201,6 +201,7 @@ class Run {
   }
 
   std::string limit_text(const std::string& limit) const {
+    if (limit == "seconds" && !options_.seconds) return "its time was over";
     if (limit == "seconds") return "more than " + Json(*options_.seconds).dump() + " seconds";
     if (!options_.memory) return "not enough memory";
     return "more than " + std::to_string(*options_.memory) + " bytes of memory";

@@ -15,7 +15,7 @@
 namespace rectilin {
 namespace {
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;  // the project's own keeps the order of keys, which nothing here needs
 using Matrix3 = Eigen::Matrix3d;
 using Extended3 = Eigen::Matrix<long double, 3, 1>;
 
@@ -125,20 +125,20 @@ bool holds(const Matrix3& g, double bound, const Part& part, int halvings) {
          holds(g, bound, part.half(longest, true), halvings - 1);
 }
 
-double number(const Json& json) {
+double number(const PlainJson& json) {
   if (!json.is_number()) refuse("a number is missing");
   const double x = json.get<double>();
   if (!std::isfinite(x)) refuse("a number is not finite");
   return x;
 }
 
-Eigen::Vector3d vector(const Json& json) {
+Eigen::Vector3d vector(const PlainJson& json) {
   if (!json.is_array() || json.size() != 3) refuse("three numbers are missing");
   return {number(json[0]), number(json[1]), number(json[2])};
 }
 
 /// The mixture of cuts of one axis of a leaf.
-Eigen::Vector3d mixture(const Json& terms, const std::vector<Eigen::Vector3d>& cuts, const std::string& where) {
+Eigen::Vector3d mixture(const PlainJson& terms, const std::vector<Eigen::Vector3d>& cuts, const std::string& where) {
   if (!terms.is_array() || terms.size() % 2 != 0 || terms.empty()) refuse(where + ": an axis is not a list of pairs");
   if (terms.size() > 2 * kMostTerms)
     refuse(where + ": an axis mixes more than " + std::to_string(kMostTerms) + " cuts");
@@ -158,7 +158,7 @@ Eigen::Vector3d mixture(const Json& terms, const std::vector<Eigen::Vector3d>& c
 
 /// Walks the tree, an explicit stack in the place of recursion. Every box is halved, checked or outside, so the leaves
 /// cover the zone when the stack is empty.
-std::size_t check_leaves(const std::string& tree, const Json& leaves, const std::vector<Eigen::Vector3d>& cuts,
+std::size_t check_leaves(const std::string& tree, const PlainJson& leaves, const std::vector<Eigen::Vector3d>& cuts,
                          double lower) {
   std::vector<Part> open = {{Eigen::Vector3d::Constant(-kHalfEdge), Eigen::Vector3d::Constant(kHalfEdge)}};
   std::size_t leaf = 0;
@@ -174,7 +174,7 @@ std::size_t check_leaves(const std::string& tree, const Json& leaves, const std:
     } else if (node == 'l') {
       const std::string where = "leaf " + std::to_string(leaf);
       if (leaf >= leaves.size()) refuse(where + " is missing");
-      const Json& axes = leaves[leaf++];
+      const PlainJson& axes = leaves[leaf++];
       if (!axes.is_array() || axes.size() != 3) refuse(where + ": three axes are missing");
       Matrix3 g;
       for (int k = 0; k < 3; ++k) g.row(k) = mixture(axes[k], cuts, where).transpose();
@@ -198,7 +198,7 @@ double value_at(const std::vector<Face>& faces, const Matrix3& r) {
   return static_cast<double>(sum) + 1e-11;  // the nearest true rotation may differ by the tolerance above
 }
 
-Verdict check(const Json& json, const MeshView& mesh) {
+Verdict check(const PlainJson& json, const MeshView& mesh) {
   if (!json.is_object() || json.value("format", "") != "rectilin certificate") refuse("this is not a certificate");
   if (json.value("version", 0) != 1) refuse("the certificate's version is not 1");
   for (const char* key : {"mesh", "rotation", "value", "lower", "tree", "directions", "leaves"})
@@ -222,7 +222,7 @@ Verdict check(const Json& json, const MeshView& mesh) {
     if (lower > 1) refuse("the bound exceeds the general one, which is all that is claimed");
   } else {
     std::vector<Eigen::Vector3d> cuts;
-    for (const Json& direction : json["directions"]) cuts.push_back(cut(faces, vector(direction)));
+    for (const PlainJson& direction : json["directions"]) cuts.push_back(cut(faces, vector(direction)));
     verdict.directions = cuts.size();
     verdict.leaves = check_leaves(tree, json["leaves"], cuts, lower);
   }
@@ -251,10 +251,10 @@ std::string mesh_digest(const MeshView& mesh) {
 Verdict verify_certificate(std::string_view text, const MeshView& mesh) {
   Verdict verdict;
   try {
-    return check(Json::parse(text), mesh);
+    return check(PlainJson::parse(text), mesh);
   } catch (const Refusal& refusal) {
     verdict.reason = refusal.reason;
-  } catch (const Json::exception&) {
+  } catch (const PlainJson::exception&) {
     verdict.reason = "the certificate is truncated or not JSON of the right shape";
   }
   return verdict;

@@ -9,7 +9,6 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
-import numpy as np
 
 import rectilin
 
@@ -22,11 +21,10 @@ r = rectilin.measure(mesh)
 posed = mesh.vertices @ r.rotation.T  # the rows of the rotation are the new axes
 rectilin.save(posed_file, posed, mesh.faces)
 
-figure = plt.figure(figsize=(8, 4))
-for place, (title, vertices) in enumerate([("as given", mesh.vertices), (f"R = {r.rectilinearity:.4f}", posed)], 1):
-    axes = figure.add_subplot(1, 2, place, projection="3d")
-    axes.plot_trisurf(*vertices.T, triangles=mesh.faces, color="lightsteelblue", edgecolor="gray", linewidth=0.2)
-    axes.set_box_aspect(np.ptp(vertices, axis=0))
+figure, places = plt.subplots(1, 2, figsize=(8, 4))
+for axes, title, vertices in zip(places, ["as given", f"in its pose: R = {r.rectilinearity:.4f}"], [mesh.vertices, posed]):
+    axes.imshow(rectilin.shaded(vertices, mesh.faces, direction=(1, 0.6, 0.8), size=600), cmap="gray")
     axes.set_title(title)
+    axes.axis("off")
 figure.savefig(picture, dpi=100, bbox_inches="tight")
 print(posed_file, picture)

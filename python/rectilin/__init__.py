@@ -28,8 +28,9 @@ Compare, your own optimizers among others
 
 Meshes        load, save, shape, shapes, sources, Mesh
 Measuring     measure, measure_normals, read_normals, verify, rectilinearity, Rectilinearity, Verdict
+Looking       render, shaded, silhouette_area, views
 Optimizing    Problem, optimize, optimizers, domain, Run, Evaluator, Domain
-Comparing     compare, Comparison
+Comparing     compare, Comparison; suites, suite, export, read_traces
 Exceptions    MeshError and ParameterError, both ValueErrors of one line; Exhausted, which ends an optimizer
 
 Arrays are numpy's, in C order: vertices (n, 3) float64, faces (m, 3) integers, rotations (3, 3) or (n, 3, 3) with the
@@ -52,18 +53,26 @@ from ._rectilin import (
     __version__,
     compare,
     domain,
+    export,
     load,
     measure,
     measure_normals,
     optimize,
     optimizers,
     read_normals,
+    read_traces,
     rectilinearity,
+    render,
     save,
+    shaded,
     shape,
     shapes,
+    silhouette_area,
     sources,
+    suite,
+    suites,
     verify,
+    views,
 )
 
 __all__ = [name for name in dir() if not name.startswith("_")] + ["__version__"]

@@ -189,3 +189,34 @@ def compare(
     patience: float = 60.0,
     progress: Optional[Callable[[int, int, str], Any]] = None,
 ) -> Comparison: ...
+def suites() -> List[Dict[str, Any]]: ...
+def suite(name: str) -> Dict[str, Problem]: ...
+def export(problem: Union[Problem, MeshLike], file: Union[str, os.PathLike[str]], *, gap: float = 1e-9) -> None: ...
+def read_traces(
+    folder: Union[str, os.PathLike[str]], file: Union[str, os.PathLike[str]], problems: Optional[Dict[str, Any]] = None
+) -> int: ...
+def render(
+    V: Union[ArrayLike, MeshLike],
+    F: Optional[ArrayLike] = None,
+    *,
+    direction: Optional[ArrayLike] = None,
+    rotation: Optional[ArrayLike] = None,
+    size: int = 256,
+) -> NDArray[np.uint16]: ...
+def shaded(
+    V: Union[ArrayLike, MeshLike],
+    F: Optional[ArrayLike] = None,
+    *,
+    direction: Optional[ArrayLike] = None,
+    rotation: Optional[ArrayLike] = None,
+    size: int = 256,
+) -> NDArray[np.uint8]: ...
+def silhouette_area(
+    V: Union[ArrayLike, MeshLike],
+    F: Optional[ArrayLike] = None,
+    *,
+    directions: ArrayLike = (0, 0, 1),
+    tolerance: float = 1e-6,
+    threads: Optional[int] = None,
+) -> Tuple[Any, Any]: ...
+def views(count: int) -> Floats: ...

@@ -60,15 +60,6 @@ Problems problems_of(py::handle given) {
   return problems;
 }
 
-ComparedMesh compared(const Problem& problem) {
-  ComparedMesh mesh{problem.objective->vectors(), problem.faces, ""};
-  Fnv1a hash;
-  for (const AlignedDoubles* component : {&mesh.vectors.x, &mesh.vectors.y, &mesh.vectors.z})
-    for (const double x : *component) hash.add(x);
-  mesh.digest = "vectors:" + std::to_string(hash.value());
-  return mesh;
-}
-
 /// The competitors, with a registry that knows those written in Python.
 class Competitors {
  public:
@@ -181,7 +172,7 @@ struct Comparison {
 Comparison compare(py::handle problems, py::handle optimizers, py::object runs, py::object budget, py::object seed,
                    const std::string& domain, const std::string& certificate, py::handle out, py::object threads,
                    double patience, py::object progress) {
-  Interrupt interrupt(py::none());
+  Interrupt interrupt{py::none()};
   if (!progress.is_none() && PyCallable_Check(progress.ptr()) == 0) throw py::type_error("progress is not callable");
   if (!(patience > 0)) throw ParameterError("patience is not a positive number of seconds");
   const auto at_work = std::make_shared<AtWork>();
@@ -257,14 +248,23 @@ py::list runs_of(const Comparison& c) {
   const py::object path = py::module_::import("pathlib").attr("Path")(c.folder) / py::str("runs.jsonl");
   const py::object loads = py::module_::import("json").attr("loads");
   py::list runs;
-  for (const py::handle line : path.attr("read_text")(py::arg("encoding") = "utf-8").attr("splitlines")())
-    runs.append(loads(line));
+  const py::list lines = path.attr("read_text")(py::arg("encoding") = "utf-8").attr("strip")().attr("split")("\n");
+  for (const py::handle line : lines) runs.append(loads(line));
   const py::object key = py::module_::import("operator").attr("itemgetter")("mesh", "entry", "run");
   runs.attr("sort")(py::arg("key") = key);
   return runs;
 }
 
 }  // namespace
+
+ComparedMesh compared(const Problem& problem) {
+  ComparedMesh mesh{problem.objective->vectors(), problem.faces, ""};
+  Fnv1a hash;
+  for (const AlignedDoubles* component : {&mesh.vectors.x, &mesh.vectors.y, &mesh.vectors.z})
+    for (const double x : *component) hash.add(x);
+  mesh.digest = "vectors:" + std::to_string(hash.value());
+  return mesh;
+}
 
 void bind_laboratory(py::module_& m) {
   py::class_<Comparison>(m, "Comparison", "A finished comparison: what compare() gives. Its numbers are files in `folder`.")

@@ -1,10 +1,15 @@
-// The laboratory in Python: compare().
+// The laboratory in Python: compare(), and benchmark suites.
 #pragma once
 
-#include <pybind11/pybind11.h>
+#include "optim.h"
+#include "rectilin/laboratory/comparison.h"
 
 namespace rectilin::python {
 
-void bind_laboratory(pybind11::module_& m);
+/// A problem in memory as a comparison takes it; its digest is that of the area vectors.
+ComparedMesh compared(const Problem& problem);
+
+void bind_laboratory(py::module_& m);
+void bind_suite(py::module_& m);
 
 }  // namespace rectilin::python

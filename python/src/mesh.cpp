@@ -44,13 +44,10 @@ std::shared_ptr<OwnMesh> load(const std::string& source) {
 }
 
 std::shared_ptr<OwnMesh> copy_of(py::handle vertices, py::handle faces, std::string name) {
-  const GivenMesh given(vertices, faces);
-  const MeshView view = given.view();
   auto mesh = std::make_shared<OwnMesh>();
-  mesh->loaded.mesh.vertices.assign(view.vertices.begin(), view.vertices.end());
-  mesh->loaded.mesh.triangles.assign(view.triangles.begin(), view.triangles.end());
-  mesh->loaded.report.vertices = view.vertices.size();
-  mesh->loaded.report.polygons = view.triangles.size();
+  mesh->loaded.mesh = GivenMesh(vertices, faces).copy();
+  mesh->loaded.report.vertices = mesh->loaded.mesh.vertices.size();
+  mesh->loaded.report.polygons = mesh->loaded.mesh.triangles.size();
   mesh->name = std::move(name);
   return mesh;
 }
@@ -121,6 +118,11 @@ GivenMesh::GivenMesh(py::handle vertices, py::handle faces) {
                            std::string(py::str(py::type::of(vertices))) + " alone");
     take(points, triangles);
   }
+}
+
+Mesh GivenMesh::copy() const {
+  const MeshView seen = view();
+  return {{seen.vertices.begin(), seen.vertices.end()}, {seen.triangles.begin(), seen.triangles.end()}};
 }
 
 void GivenMesh::look_at(const OwnMesh& mesh) {

@@ -15,7 +15,7 @@ namespace {
 
 using Form = std::optional<std::string>;
 
-std::size_t size_of(const Problem& problem) { return problem.objective->vectors().size(); }
+std::size_t directions_of(const Problem& problem) { return problem.objective->vectors().size(); }
 
 std::shared_ptr<Problem> problem_of_normals(py::handle normals, py::handle weights, std::string name) {
   const py::array_t<double> rows = real_rows(normals, "N");
@@ -148,7 +148,7 @@ the axis), rotation 'vector's (radians) or the paper's 'angles' (radians); one, 
                   py::arg("name") = "normals", "The problem of directions with weights, see measure_normals().")
       .def_property_readonly("name", [](const Problem& p) { return p.objective->name(); })
       .def_property_readonly("faces", [](const Problem& p) { return p.faces; })
-      .def_property_readonly("directions", &size_of, "Distinct directions of faces.")
+      .def_property_readonly("directions", &directions_of, "Distinct directions of faces.")
       .def_property_readonly(
           "area", [](const Problem& p) { return p.objective->vectors().area(); }, "In the square of the mesh's unit.")
       .def_property_readonly("vectors", &vectors_of,
@@ -157,13 +157,13 @@ the axis), rotation 'vector's (radians) or the paper's 'angles' (radians); one, 
       .def(
           "values",
           [](const Problem& p, py::handle rotations, const Form& form) {
-            return values(*p.objective, size_of(p), rotations_of(rotations, form, nullptr));
+            return values(*p.objective, directions_of(p), rotations_of(rotations, form, nullptr));
           },
           py::arg("rotations"), py::arg("form") = py::none(), "P/S: a float for one rotation, (n,) for n.")
       .def(
           "cuts",
           [](const Problem& p, py::handle rotations, const Form& form) {
-            return cuts(*p.objective, size_of(p), rotations_of(rotations, form, nullptr));
+            return cuts(*p.objective, directions_of(p), rotations_of(rotations, form, nullptr));
           },
           py::arg("rotations"), py::arg("form") = py::none(),
           "(values, gradients): linear minorants; (gradient * Q).sum() <= P/S at Q for every rotation Q, with equality "
@@ -171,7 +171,7 @@ the axis), rotation 'vector's (radians) or the paper's 'angles' (radians); one, 
       .def(
           "smooth",
           [](const Problem& p, py::handle rotation, double width, const Form& form) {
-            return smooth(*p.objective, size_of(p), rotation_of(rotation, form, nullptr), width);
+            return smooth(*p.objective, directions_of(p), rotation_of(rotation, form, nullptr), width);
           },
           py::arg("rotation"), py::arg("width"), py::arg("form") = py::none(),
           "(value, gradient): a smooth upper bound that tends to P/S as width (radians) goes to 0. The gradient is with "
@@ -182,7 +182,7 @@ the axis), rotation 'vector's (radians) or the paper's 'angles' (radians); one, 
             require_axis(axis);
             const Rotation rotation = rotation_of(given, form, nullptr);
             BestTurn best;
-            release_if_long(20 * size_of(p), [&] { best = p.objective->best_turn(rotation, axis); });
+            release_if_long(20 * directions_of(p), [&] { best = p.objective->best_turn(rotation, axis); });
             return py::make_tuple(to_array(best.rotation.matrix()), best.value);
           },
           py::arg("rotation"), py::arg("axis"), py::arg("form") = py::none(),
@@ -200,7 +200,7 @@ the axis), rotation 'vector's (radians) or the paper's 'angles' (radians); one, 
           py::arg("progress") = py::none(),
           "The certified optimum, a Rectilinearity; the arguments are those of the function measure().")
       .def("__repr__", [](const Problem& p) {
-        return "<rectilin.Problem '" + p.objective->name() + "': " + std::to_string(size_of(p)) + " directions>";
+        return "<rectilin.Problem '" + p.objective->name() + "': " + std::to_string(directions_of(p)) + " directions>";
       });
 }
 

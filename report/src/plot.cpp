@@ -161,7 +161,8 @@ Margins margins(const HeatMap& map) {
     for (const std::string& name : names) length = std::max(length, std::min(width(printable(name)), kRowName));
     return static_cast<int>(length);
   };
-  return {7 * longest(map.rows) + 20, 5 * longest(map.columns) + 30};
+  // Rows' names stand left of the map; those of columns lean out to the left below it.
+  return {std::max(8 * longest(map.rows) + 20, 6 * longest(map.columns) - 20), 5 * longest(map.columns) + 30};
 }
 
 Plot::Size size_of(const HeatMap& map) {

@@ -87,4 +87,21 @@ expect 2 'over a mesh' "$rectilin" measure --proof folder/below/p.stl shape:box
 cmp -s good.off kept.off || fail 'the mesh is as it was'
 expect 1 'budget ends' "$rectilin" measure --budget 1 good.off
 
+# Point clouds with normals: three directions at right angles, with weights and without.
+cloud() { printf 'ply\nformat ascii 1.0\nelement vertex %s\n' "$1"; shift; printf 'property float %s\n' "$@"; echo end_header; }
+{ cloud 3 x y z nx ny nz; printf '0 0 0 %s\n' '1 0 0' '0 2 0' '0 0 -3'; } >cloud.ply
+expect 0 'cloud.ply +3 +3 +3 +1\.0000000000' "$rectilin" measure --normals cloud.ply
+{ cloud 2 nx ny nz weight; printf '%s\n' '1 0 0 3' '0.6 0.8 0 4'; } >weights.ply
+expect 0 'weights.ply +2 +2 +7 ' "$rectilin" measure --normals weights.ply
+{ cloud 2 nx ny nz weight; printf '%s\n' '1 0 0 3' '0.6 0.8 0 -4'; } >negative.ply
+expect 1 'negative.ply:line 9: a weight that is negative' "$rectilin" measure --normals negative.ply
+{ cloud 2 nx ny nz; printf '%s\n' '0 0 0' 'nan 0 0'; } >none.ply
+expect 1 'none.ply: no point has a normal' "$rectilin" measure --normals none.ply
+{ cloud 5 nx ny nz; printf '%s\n' '1 0 0'; } >short.ply
+expect 1 'short.ply:.*the file ends' "$rectilin" measure --normals short.ply
+{ cloud 2 x y z; printf '%s\n' '1 0 0' '0 1 0'; } >bare.ply
+expect 1 'bare.ply:line 3: the vertices have no normals' "$rectilin" measure --normals bare.ply
+expect 1 'good.off: point clouds with normals are read from PLY' "$rectilin" measure --normals good.off
+expect 2 'does not go with --proof' "$rectilin" measure --normals --proof p.json cloud.ply
+
 finish command

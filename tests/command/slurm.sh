@@ -70,7 +70,7 @@ sinfo -h -o %t 2>/dev/null | grep -q idle || skip "Slurm does not start here: $(
   echo 'shape:box?size=1'
 } >list.txt
 sed -i '1i name,path' copies.csv
-"$rectilin" measure list.txt copies.csv --out plain.db --threads 2 >out 2>err || fail 'the run without Slurm'
+"$rectilin" measure "$work/list.txt" "$work/copies.csv" --out plain.db --threads 2 >out 2>err || fail 'the run without Slurm'
 
 export RECTILIN=$rectilin OUT=$work/corpus
 submit() { sbatch --parsable --cpus-per-task=1 --mem-per-cpu=1500 --output="$work/%x-%A_%a.log" "$@"; }

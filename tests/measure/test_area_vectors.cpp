@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "rectilin/base/rotation.h"
@@ -120,4 +121,50 @@ TEST_CASE("the same vectors for any number of threads", "[area_vectors]") {
     REQUIRE(v.z == reference.z);
     REQUIRE(v.total == reference.total);
   }
+}
+
+TEST_CASE("normals count by direction and weight, not by length or side", "[area_vectors]") {
+  Random random(8);
+  std::vector<Vector3> normals;
+  std::vector<double> weights;
+  std::vector<Vector3> vectors;
+  for (int i = 0; i < 40; ++i) {
+    const Vector3 unit = test::random_vector(random).normalized();
+    normals.push_back(unit * random.uniform(-1e3, 1e3));
+    weights.push_back(random.uniform(0, 5));
+    vectors.push_back(unit * weights.back());
+  }
+  const AreaVectors of_normals = area_vectors_of_normals(normals, weights), plain = area_vectors(vectors);
+  REQUIRE(of_normals.size() == plain.size());
+  REQUIRE(of_normals.area() == Approx(plain.area()).epsilon(1e-14));
+  for (int i = 0; i < 20; ++i) {
+    const Vector3 u = test::random_vector(random).normalized();
+    const auto sum = [&](const AreaVectors& v) {
+      double h = 0;
+      for (std::size_t k = 0; k < v.size(); ++k) h += std::abs(u.dot(v[k]));
+      return h / v.total;
+    };
+    REQUIRE(sum(of_normals) == Approx(sum(plain)).epsilon(1e-13));
+  }
+  REQUIRE(area_vectors_of_normals(std::vector<Vector3>(3, Vector3::UnitX())).area() == 3);
+  const std::vector<double> tiny(1, 1e-300);
+  REQUIRE(area_vectors_of_normals(std::vector<Vector3>{Vector3(1e-200, 0, 0)}, tiny).area() == Approx(1e-300));
+}
+
+TEST_CASE("normals that are none are refused with their place", "[area_vectors]") {
+  const std::vector<Vector3> two = {Vector3::UnitX(), Vector3::Zero()}, one = {Vector3::UnitX()};
+  CHECK_THROWS_WITH(area_vectors_of_normals(two), "normal 1 is zero or not finite");
+  CHECK_THROWS_WITH(area_vectors_of_normals(one, std::vector<double>{-1}), "weight 0 is negative or not finite");
+  CHECK_THROWS_WITH(area_vectors_of_normals(one, std::vector<double>{1, 1}), "there are 1 normals and 2 weights");
+  CHECK_THROWS_WITH(area_vectors_of_normals(one, std::vector<double>{0}), "the normals have no weight");
+  CHECK_THROWS_AS(area_vectors_of_normals({}), MeshError);
+}
+
+TEST_CASE("a mesh is looked at where it lies", "[area_vectors]") {
+  const Mesh mesh = make_shape(Spec::parse("blob?faces=300"));
+  const AreaVectors of_mesh = area_vectors(mesh), of_view = area_vectors(MeshView(mesh.vertices, mesh.triangles));
+  REQUIRE(of_mesh.x == of_view.x);
+  std::vector<Vector3> vertices = mesh.vertices;
+  vertices[mesh.triangles[5][1]].y() = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(area_vectors(MeshView(vertices, mesh.triangles)), MeshError);
 }

@@ -24,6 +24,16 @@ def test_example(example, tmp_path):
         assert file.is_dir() or file.stat().st_size > 0
 
 
+def test_readme(tmp_path):
+    """The README's program runs as it is written."""
+    rectilin.save(tmp_path / "chair.off", "shape:stairs?rotate=random")
+    program = (ROOT / "README.md").read_text().split("```python\n")[1].split("```")[0]
+    done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, timeout=600)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.startswith("R is between ")
+    assert (tmp_path / "page" / "index.html").is_file() and (tmp_path / "posed.ply").is_file()
+
+
 def documented():
     yield "rectilin", rectilin
     for name in rectilin.__all__:

@@ -203,7 +203,7 @@ class Run {
 }  // namespace
 
 Evaluation run_evaluation(const EvaluationPlan& plan, const fs::path& out, const EvaluationSettings& settings,
-                          std::vector<std::string>& troubles) {
+                          PictureTroubles& troubles) {
   if (plan.contestants.empty()) throw ParameterError("there is nothing to evaluate: no descriptor and no matrix");
   const bool describes = std::ranges::any_of(plan.contestants, [](const Contestant& c) { return !c.is_matrix; });
   if (describes && !plan.folder) throw ParameterError("descriptors need a folder of meshes");

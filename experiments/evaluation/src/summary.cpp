@@ -137,7 +137,7 @@ Json summary(const Evaluation& evaluation, const Json& provenance) {
           {"provenance", provenance}};
 }
 
-std::vector<std::string> write_report(const fs::path& out, const Evaluation& evaluation, const Json& provenance) {
+PictureTroubles write_report(const fs::path& out, const Evaluation& evaluation, const Json& provenance) {
   scores_table(evaluation).write(out / "scores.csv");
   classes_table(evaluation).write(out / "classes.csv");
   queries_table(evaluation).write(out / "queries.csv");
@@ -151,7 +151,7 @@ std::vector<std::string> write_report(const fs::path& out, const Evaluation& eva
     plot.plot.write(out / "plots", plot.name);
     names.push_back(plot.name);
   }
-  std::vector<std::string> troubles = draw_all(out / "plots", names);
+  const PictureTroubles troubles = draw_all(out / "plots", names);
   write_whole_file(out / "index.html", page(evaluation, plots, out, provenance));
   return troubles;
 }

@@ -15,7 +15,7 @@ namespace rectilin::evaluation {
 void write_result(const std::filesystem::path& out, const Result& result, const retrieval::Classification& classes);
 
 /// Everything else; lines about pictures that could not be drawn.
-std::vector<std::string> write_report(const std::filesystem::path& out, const Evaluation& evaluation,
+PictureTroubles write_report(const std::filesystem::path& out, const Evaluation& evaluation,
                                       const Json& provenance);
 
 Json summary(const Evaluation& evaluation, const Json& provenance);

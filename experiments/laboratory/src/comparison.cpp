@@ -20,6 +20,7 @@
 #include "rectilin/measure/measure.h"
 #include "rectilin/measure/verify.h"
 #include "rectilin/mesh/source.h"
+#include "turned_objective.h"
 
 namespace rectilin {
 namespace {
@@ -60,12 +61,16 @@ Json trace_json(const RunRecord& record, const Objective& objective) {
   return {{"evaluations", evaluations}, {"seconds", seconds}, {"merit", merit}};
 }
 
+/// Budgets of a run that the search for the best known value has.
+constexpr std::uint64_t kReferenceBudgets = 10;
+
 /// A mesh of the plan with what is known of it.
 struct Problem {
   std::string name, error;
   std::string digest;  // of the mesh
   std::size_t faces = 0;
   std::optional<AreaVectors> vectors;
+  std::shared_ptr<const Objective> other;  // searched instead of R, if the plan says so
   bool certified = false;
 };
 
@@ -82,7 +87,8 @@ class Comparison {
       : plan_(plan),
         folder_(folder),
         settings_(settings),
-        certifier_(measure_options(plan.certificate, registry)),
+        certifier_(plan.proves() ? measure_options(plan.certificate, registry) : MeasureOptions()),
+        reference_(plan.proves() ? nullptr : registry.make(plan.certificate)),
         meshes_(folder / kMeshes),
         runs_(folder / kRuns) {
     for (const Entry& entry : plan.entries) optimizers_.push_back(registry.make(entry.spec));
@@ -110,6 +116,7 @@ class Comparison {
       problem.vectors = std::move(loaded.vectors);
       problem.digest = std::move(loaded.digest);
       problem.faces = loaded.faces;
+      if (!plan_.proves()) problem.other = settings_.objective(mesh);
     } catch (const std::exception& e) {
       problem.error = error_about(mesh, e.what());
       outcome_.mesh_errors.push_back(problem.error);
@@ -151,11 +158,33 @@ class Comparison {
     }
   }
 
+  /// The best that a search finds on the mesh as it is, for objectives without proof: in the form of a certificate that
+  /// bounds nothing.
+  std::optional<Json> search_reference(const Problem& problem) const {
+    RunSettings settings;
+    settings.budget.evaluations = kReferenceBudgets * plan_.budget;
+    settings.seed = plan_.seed;
+    settings.stop = settings_.stop;
+    const RunRecord record = run_optimizer(*reference_, *problem.other, settings);
+    if (record.outcome == RunRecord::Outcome::kStopped) return std::nullopt;
+    if (!record.error.empty()) throw std::runtime_error(problem.name + ": " + record.error);
+    Json line = {{"faces", problem.faces},          {"directions", problem.vectors->size()},
+                 {"area", problem.vectors->area()}, {"objective", plan_.objective},
+                 {"merit", record.merit},           {"upper", nullptr}};
+    line.update(to_json(record));
+    return line;
+  }
+
   /// Bounds R of the mesh as it is and writes its line.
   void certify(Problem& problem) {
     show("bounding the optimum of " + problem.name);
     Json line = {{"mesh", problem.name}};
-    if (problem.vectors) {
+    if (problem.other) {
+      const std::optional<Json> found = search_reference(problem);
+      if (!found) return;
+      line["mesh_digest"] = problem.digest;
+      line.update(*found);
+    } else if (problem.vectors) {
       MeasureOptions options = certifier_;
       options.run.seed = plan_.seed;
       options.run.stop = settings_.stop;
@@ -196,21 +225,26 @@ class Comparison {
     for_each_in_order<bool>(names, perform, throw_on, {.stop = settings_.stop});
   }
 
+  static std::unique_ptr<const Objective> turned(const Problem& problem, const Rotation& rotation) {
+    if (problem.other) return std::make_unique<TurnedObjective>(problem.other, rotation);
+    return std::make_unique<ProjectedArea>(rotated(*problem.vectors, rotation), problem.name);
+  }
+
   /// The run's line; null if it was stopped.
   Json perform_run(const Task& task) const {
     const Instance problem = instance(plan_.seed, task.problem->name, task.run);
-    const ProjectedArea objective(rotated(*task.problem->vectors, problem.rotation), task.problem->name);
+    const std::unique_ptr<const Objective> objective = turned(*task.problem, problem.rotation);
     RunSettings settings;
     settings.budget.evaluations = plan_.budget;
     settings.seed = problem.run_seed;
     settings.domain = &domain_by_name(task.entry->domain);
     settings.stop = settings_.stop;
-    const RunRecord record = run_optimizer(*task.optimizer, objective, settings);
+    const RunRecord record = run_optimizer(*task.optimizer, *objective, settings);
     if (record.outcome == RunRecord::Outcome::kStopped) return nullptr;
     Json line = {{"mesh", task.problem->name}, {"entry", task.entry->label}, {"run", task.run}};
     line.update(to_json(record));
     line["instance"] = to_json(problem.rotation);
-    line["trace"] = trace_json(record, objective);
+    line["trace"] = trace_json(record, *objective);
     return line;
   }
 
@@ -237,6 +271,7 @@ class Comparison {
   const fs::path& folder_;
   const ComparisonSettings& settings_;
   MeasureOptions certifier_;
+  std::unique_ptr<Optimizer> reference_;  // instead of the certifier, for objectives without proof
   std::vector<std::unique_ptr<Optimizer>> optimizers_;
   std::vector<Problem> problems_;
   std::set<std::tuple<std::string, std::string, int>> done_;
@@ -258,6 +293,8 @@ ComparedMesh load_compared_mesh(const std::string& source) {
 ComparisonOutcome run_comparison(const Plan& plan, const fs::path& folder, const Registry& registry,
                                  const ComparisonSettings& settings) {
   check(plan, registry);
+  if (!plan.proves() && !settings.objective)
+    throw ParameterError("nothing makes the objective '" + plan.objective + "'");
   fs::create_directories(folder);
   const FolderLock lock(folder);
   store_plan(plan, folder);

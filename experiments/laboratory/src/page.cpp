@@ -32,6 +32,14 @@ std::string introduction(const Results& results) {
   if (results.runs.size() < planned)
     text += paragraph("<b>Incomplete:</b> " + std::to_string(results.runs.size()) + " of " + std::to_string(planned) +
                       " runs are there.");
+  if (!plan.proves())
+    return text + paragraph("What is searched is the <b>" + escape(plan.objective) +
+                            "</b>, of which nothing can be proved: it has no cuts. The <b>gap</b> is the best value "
+                            "that any run of this comparison, or a longer search (" +
+                            escape(plan.certificate) +
+                            ") before it, has found, against that of the best rotation this run has found. It may be "
+                            "too small: a better value may exist. Where tables say \"certified\" they show that best "
+                            "known value, turned around in sign.");
   text += paragraph(
       "The <b>gap</b> is the certified upper bound of R(M) less R at the best rotation a run has found: it is never "
       "too small. No gap below the width of the mesh's certificate can be told from none; it is shown as that width, "

@@ -70,15 +70,17 @@ void check(const Plan& plan, const Registry& registry) {
   for (const Entry& entry : plan.entries)
     if (!seen.insert(entry.label).second) throw ParameterError("the optimizer '" + entry.label + "' is given twice");
     else if (!is_utf8(entry.label)) throw ParameterError("the optimizer '" + entry.label + "' has no name in UTF-8");
-  if (!registry.make(plan.certificate)->capabilities().certifies)
+  if (plan.proves() && !registry.make(plan.certificate)->capabilities().certifies)
     throw ParameterError("'" + plan.certificate + "' proves nothing: no certificate");
 }
 
 Json to_json(const Plan& plan) {
   Json entries = Json::array();
   for (const Entry& e : plan.entries) entries.push_back({{"label", e.label}, {"spec", e.spec}, {"domain", e.domain}});
-  return {{"meshes", plan.meshes}, {"optimizers", entries}, {"runs", plan.runs},
-          {"budget", plan.budget}, {"seed", plan.seed},     {"certificate", plan.certificate}};
+  Json json = {{"meshes", plan.meshes}, {"optimizers", entries}, {"runs", plan.runs},
+               {"budget", plan.budget}, {"seed", plan.seed},     {"certificate", plan.certificate}};
+  if (plan.objective != kRectilinearity) json["objective"] = plan.objective;
+  return json;
 }
 
 Plan plan_from_json(const Json& json) {
@@ -91,11 +93,13 @@ Plan plan_from_json(const Json& json) {
   json.at("budget").get_to(plan.budget);
   json.at("seed").get_to(plan.seed);
   json.at("certificate").get_to(plan.certificate);
+  plan.objective = json.value("objective", kRectilinearity);
   return plan;
 }
 
 std::string difference(const Plan& stored, const Plan& asked) {
   const Json a = to_json(stored), b = to_json(asked);
+  if (stored.objective != asked.objective) return "objective " + stored.objective + ", not " + asked.objective;
   for (const auto& [key, value] : a.items())
     if (value != b[key])
       return value.is_array() ? "other " + key : key + " " + to_text(value) + ", not " + to_text(b[key]);

@@ -36,19 +36,21 @@ MeshResult mesh_from_json(const Json& line) {
   }
   line.at("faces").get_to(mesh.faces);
   line.at("directions").get_to(mesh.directions);
-  mesh.area = number(line.at("area"));  // null if out of range
-  const double found = number(line.at("rectilinearity")), upper = number(line.at("upper"));
+  mesh.area = number(line.at("area"));                  // null if out of range
+  const bool proved = line.contains("rectilinearity");  // else the best of a search, of another objective
+  const double found = number(line.at(proved ? "rectilinearity" : "merit")), upper = number(line.at("upper"));
   mesh.upper = std::isnan(upper) ? 1.0 : std::min(upper, 1.0);  // S <= P holds for any mesh
   mesh.lower = std::isnan(found) ? rectilinearity(std::sqrt(3.0)) : std::min(found, mesh.upper);
+  if (!proved) mesh.upper = mesh.lower = found;
   mesh.rotation = rotation_from_json(line.at("rotation"));
   mesh.evaluations = number(line.at("evaluations"));
   mesh.seconds = number(line.at("seconds"));
   return mesh;
 }
 
-Trace trace_from_json(const Json& json, const MeshResult& mesh) {
+Trace trace_from_json(const Json& json, const MeshResult& mesh, bool proves) {
   Trace trace;
-  trace.worst = mesh.upper - rectilinearity(std::sqrt(3.0));
+  trace.worst = mesh.upper + (proves ? -rectilinearity(std::sqrt(3.0)) : std::sqrt(3.0));  // no value exceeds sqrt(3)
   json.at("evaluations").get_to(trace.evaluations);
   json.at("seconds").get_to(trace.seconds);
   for (const Json& merit : json.at("merit"))
@@ -73,7 +75,7 @@ RunResult run_from_json(Json line, const Results& results) {
   run.evaluations = number(line.at("evaluations"));
   run.seconds = number(line.at("seconds"));
   run.cpu_seconds = number(line.at("cpu_seconds"));
-  run.trace = trace_from_json(line.at("trace"), results.meshes[run.mesh]);
+  run.trace = trace_from_json(line.at("trace"), results.meshes[run.mesh], results.plan.proves());
   line.erase("trace");
   run.record = std::move(line);
   return run;
@@ -135,10 +137,27 @@ Results load_results(const fs::path& folder) {
     mesh.title = title[i];
     results.meshes.push_back(std::move(mesh));
   }
+  // Without proof the best value known takes the bound's place.
+  if (!results.plan.proves()) {
+    for_each_line(runs, recover_journal(runs), [&](const Json& line) {
+      const auto mesh = std::ranges::find(results.meshes, line.at("mesh").get<std::string>(), &MeshResult::name);
+      const double merit = number(line.at("merit"));
+      if (mesh != results.meshes.end() && merit > mesh->upper) mesh->upper = merit;
+    });
+    for (MeshResult& mesh : results.meshes) mesh.lower = mesh.upper - kLeastKnownGap;
+  }
   std::set<std::tuple<std::size_t, std::size_t, int>> seen;
-  for_each_line(runs, recover_journal(runs), [&](const Json& line) {
+  const auto take = [&](const Json& line) {
     RunResult run = run_from_json(line, results);
     if (seen.emplace(run.mesh, run.entry, run.run).second) results.runs.push_back(std::move(run));
+  };
+  for_each_line(runs, recover_journal(runs), take);
+  const fs::path foreign = folder / kForeignFile;
+  for_each_line(foreign, recover_journal(foreign), [&](const Json& line) {
+    const std::string label = line.at("entry").get<std::string>();
+    if (std::ranges::find(results.plan.entries, label, &Entry::label) == results.plan.entries.end())
+      results.plan.entries.push_back({label, "foreign:" + label, "-"});
+    take(line);
   });
   std::ranges::sort(results.runs, {}, [](const RunResult& r) { return std::tuple(r.mesh, r.entry, r.run); });
   std::vector<double> best;  // a run can beat the rotation that came with the certificate

@@ -9,9 +9,9 @@ namespace rectilin {
 const std::vector<Experiment>& experiments() {
   using namespace figures;
   static const std::vector<Experiment> all{
-      fig1(),  fig5(),  fig6(),  fig7(),  fig8(),  fig9(), fig10(),
-      fig11(), fig12(), fig13(), fig14(), fig15(), gallery(), table1(), fig21(), table2(),
-      table3(), table4(), table5(), table6(), fig22(), gap(), shortfall(),
+      fig1(),   fig2(),  fig5(),   fig6(),   fig7(),   fig8(),   fig9(),   fig10(), fig11(),         fig12(),
+      fig13(),  fig14(), fig15(),  fig16(),  fig17(),  fig18(),  fig19(),  fig20(), pose_accuracy(), gallery(),
+      table1(), fig21(), table2(), table3(), table4(), table5(), table6(), fig22(), gap(),           shortfall(),
   };
   return all;
 }

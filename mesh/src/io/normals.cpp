@@ -109,7 +109,7 @@ WeightedNormals read_binary(ByteReader data, const Element& points, const Layout
 WeightedNormals read_normals(std::string_view bytes, const std::string& name) {
   LineReader text(bytes, name);
   if (bytes.substr(0, 3) != "ply") throw MeshError(name + ": point clouds with normals are read from PLY files only");
-  const Header header = read_header(text);
+  const PlyHeader header = read_ply_header(text);
   if (header.elements.empty() || header.elements.front().name != "vertex")
     text.fail("the first element is not 'vertex'");
   const Element& points = header.elements.front();

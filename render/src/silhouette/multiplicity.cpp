@@ -11,12 +11,16 @@ namespace rectilin::render {
 namespace {
 
 constexpr std::size_t kFew = 6;  // edges of a cell that is integrated rather than halved
+constexpr int kDeepest = 120;    // halvings, of either side in turn: then cells are as small as rounding
 
 /// A cell with its share of the level's edges and steps.
 struct Content {
   Cell cell;
-  int in_vain;  ///< how often in a row halving has left most of the edges together
+  int halvings;  ///< since the whole picture
+  int doubled;   ///< of them in a row, those that left most of the edges in both halves
   std::size_t first_edge, end_edge, first_step, end_step;
+
+  std::size_t edges() const { return end_edge - first_edge; }
 };
 
 struct Level {
@@ -25,13 +29,8 @@ struct Level {
   std::vector<BorderStep> steps;
 
   void clear() { cells.clear(), edges.clear(), steps.clear(); }
-  void begin(const Cell& cell) { cells.push_back({cell, 0, edges.size(), 0, steps.size(), 0}); }
-  void end(const Content& parent) {
-    Content& own = cells.back();
-    own.end_edge = edges.size(), own.end_step = steps.size();
-    const bool most = 4 * (own.end_edge - own.first_edge) > 3 * (parent.end_edge - parent.first_edge);
-    own.in_vain = most ? parent.in_vain + 1 : 0;
-  }
+  void begin(const Cell& cell) { cells.push_back({cell, 0, 0, edges.size(), 0, steps.size(), 0}); }
+  void end() { cells.back().end_edge = edges.size(), cells.back().end_step = steps.size(); }
   std::span<const JumpEdge> edges_of(const Content& c) const {
     return std::span(edges).subspan(c.first_edge, c.end_edge - c.first_edge);
   }
@@ -40,11 +39,12 @@ struct Level {
   }
 };
 
-/// Where many edges lie on one line or meet in one point, halving does not part them; the more there are the dearer is
-/// the integration, and the longer it is tried.
+/// Edges that lie on one line are doubled by every halving across them and never parted, so after some it is cheaper to
+/// integrate; the more there are the longer it is tried. Halvings towards a part of the cell that has all edges cost
+/// little, but where edges meet in one point they would never end.
 bool worth_halving(const Content& content) {
-  const std::size_t edges = content.end_edge - content.first_edge;
-  return edges > kFew && content.in_vain < 2 + static_cast<int>(std::bit_width(edges));
+  return content.edges() > kFew && content.halvings < kDeepest &&
+         content.doubled < 3 + static_cast<int>(std::bit_width(content.edges())) / 3;
 }
 
 double area_of(const Cell& cell) { return (cell.right - cell.left) * (cell.high - cell.low); }
@@ -86,7 +86,7 @@ class Halving {
       if (s.y < y) to.steps.push_back(s);
       if (s.y <= y) upper.multiplicity += s.jump;
     }
-    to.end(content);
+    to.end();
     to.begin(upper);
     for (const JumpEdge& e : from.edges_of(content)) {
       if (e.low_y >= y) to.edges.push_back(e);
@@ -97,7 +97,7 @@ class Halving {
     }
     for (const BorderStep& s : from.steps_of(content))
       if (s.y > y) to.steps.push_back(s);
-    to.end(content);
+    to.end();
   }
 
   void halve_width(const Content& content, const Level& from, Level& to) {
@@ -130,7 +130,7 @@ class Halving {
       }
     }
     to.steps.insert(to.steps.end(), steps.begin(), steps.end());
-    to.end(content);
+    to.end();
 
     std::sort(passing_.begin(), passing_.end(), [](const BorderStep& a, const BorderStep& b) { return a.y < b.y; });
     std::size_t i = 0;
@@ -142,7 +142,7 @@ class Halving {
       if (step.jump != 0 && step.y < far.high) to.steps.push_back(step);
     }
     to.edges.insert(to.edges.end(), beyond_.begin(), beyond_.end());
-    to.end(content);
+    to.end();
   }
 
   double rounding_;
@@ -168,7 +168,7 @@ CoveredArea covered_area(std::vector<JumpEdge> edges, double tolerance) {
 
   Level level, next;
   level.edges = std::move(edges);
-  level.cells.push_back({all, 0, 0, level.edges.size(), 0, 0});
+  level.cells.push_back({all, 0, 0, 0, level.edges.size(), 0, 0});
   double open = area_of(all);
   std::size_t settled = 0;
   const auto enough = [&] { return open <= tolerance * sum.area; };

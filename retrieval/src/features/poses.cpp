@@ -1,6 +1,8 @@
 #include "rectilin/retrieval/poses.h"
 
 #include "rectilin/base/factory.h"
+#include "rectilin/pose/axes.h"
+#include "rectilin/pose/pose.h"
 #include "rectilin/retrieval/model.h"
 
 namespace rectilin::retrieval {
@@ -9,6 +11,11 @@ const std::vector<std::pair<std::string, std::string>>& pose_names() {
   static const std::vector<std::pair<std::string, std::string>> names{
       {"none", "the file's own axes"},
       {"rectilinear", "the rotation of the largest rectilinearity"},
+      {"pca", "the surface's principal axes, in any order"},
+      {"pca-ordered", "the same, the largest second moment along x and the least along z"},
+      {"pca-definite", "the same, x and y pointing to the side with more of the surface"},
+      {"cpn", "the paper's choice between pca and rectilinear"},
+      {"composite", "the best of all methods by projected area and mirror symmetry"},
   };
   return names;
 }
@@ -23,17 +30,24 @@ void bind_pose(Parameters& parameters, std::string& pose) {
   parameters.choice("pose", pose, std::move(words), std::move(help));
 }
 
-const Frame& Model::frame(const std::string& pose) const {
+const Frame& Model::frame(const std::string& name) const {
   const std::lock_guard lock(mutex_);
-  std::unique_ptr<Frame>& frame = frames_[pose];
+  std::unique_ptr<Frame>& frame = frames_[name];
   if (frame) return *frame;
   Frame found = surface_;
-  if (pose == "rectilinear") {
+  const auto by = [&](const char* method) { return pose::pose_methods().make(method)(mesh_).rotation; };
+  if (name == "rectilinear") {
     found.rotation = rectilinear().rotation;
-  } else if (pose != "none") {
+  } else if (name == "pca" || name == "cpn" || name == "composite") {
+    found.rotation = by(name.c_str());
+  } else if (name == "pca-ordered") {
+    found.rotation = pose::resolve_axes(mesh_, by("pca"), pose::AxisRule::kOrdered).rotation;
+  } else if (name == "pca-definite") {
+    found.rotation = pose::resolve_axes(mesh_, by("pca"), pose::AxisRule::kDefinite).rotation;
+  } else if (name != "none") {
     std::vector<std::string> known;
-    for (const auto& [name, meaning] : pose_names()) known.push_back(name);
-    throw_unknown_name("pose", pose, known);
+    for (const auto& [known_name, meaning] : pose_names()) known.push_back(known_name);
+    throw_unknown_name("pose", name, known);
   }
   frame = std::make_unique<Frame>(found);
   return *frame;

@@ -10,6 +10,7 @@
 namespace rectilin::figures {
 
 Experiment fig1();
+Experiment fig2();
 Experiment fig5();
 Experiment fig6();
 Experiment fig7();
@@ -21,6 +22,11 @@ Experiment fig12();
 Experiment fig13();
 Experiment fig14();
 Experiment fig15();
+Experiment fig16();
+Experiment fig17();
+Experiment fig18();
+Experiment fig19();
+Experiment fig20();
 Experiment gallery();
 Experiment table1();
 Experiment fig21();
@@ -31,6 +37,7 @@ Experiment table5();
 Experiment table6();
 Experiment fig22();
 Experiment gap();
+Experiment pose_accuracy();
 Experiment shortfall();
 
 /// An experiment from a struct of settings with `bind(Parameters&)` and `run(const

@@ -4,12 +4,14 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "rectilin/laboratory/plan.h"
 #include "rectilin/measure/area_vectors.h"
+#include "rectilin/optim/objective.h"
 
 namespace rectilin {
 
@@ -36,6 +38,8 @@ struct ComparisonSettings {
   std::function<void(const ComparisonProgress&)> on_progress = {};  ///< called from any thread, one at a time
   /// Makes the mesh of a name in the plan; called once for each, one at a time. What it throws is that mesh's error.
   std::function<ComparedMesh(const std::string& name)> load = load_compared_mesh;
+  /// Makes the objective of a mesh if Plan::objective is another than kRectilinearity; called as `load` is.
+  std::function<std::shared_ptr<const Objective>(const std::string& name)> objective = {};
 };
 
 struct ComparisonOutcome {

@@ -19,6 +19,9 @@ struct Entry {
   bool operator==(const Entry&) const = default;
 };
 
+/// What a comparison is about if nothing else is said: R(M), of which there are proofs.
+inline constexpr const char* kRectilinearity = "rectilinearity";
+
 struct Plan {
   std::vector<std::string> meshes;  ///< sources, see load_mesh()
   std::vector<Entry> entries;
@@ -26,6 +29,11 @@ struct Plan {
   std::uint64_t budget = 10000;  ///< evaluations a run
   std::uint64_t seed = 1;
   std::string certificate = "certify?gap=1e-10";  ///< what bounds the optimum of each mesh
+  /// What is searched: kRectilinearity or the name of an objective that ComparisonSettings::objective makes. Of such an
+  /// objective nothing is proved: `certificate` is then a search that runs first, on the mesh as it is.
+  std::string objective = kRectilinearity;
+
+  bool proves() const { return objective == kRectilinearity; }
 
   bool operator==(const Plan&) const = default;
 };

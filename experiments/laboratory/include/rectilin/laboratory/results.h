@@ -56,6 +56,9 @@ struct MeshResult {
 /// R is a sum over faces: digits beyond this one are rounding.
 inline constexpr double kLeastGap = 1e-12;
 
+/// What values of an objective without proof are told apart by: silhouettes are known to within about as much.
+inline constexpr double kLeastKnownGap = 1e-6;
+
 struct Results {
   Plan plan;
   std::vector<MeshResult> meshes;  ///< one for each of the plan
@@ -65,12 +68,20 @@ struct Results {
   std::vector<const RunResult*> of(std::size_t mesh, std::size_t entry) const;
 };
 
+/// Where add_foreign_runs() keeps runs of other programs, one a line as in runs.jsonl.
+inline constexpr const char* kForeignFile = "foreign.jsonl";
+
+/// Is this entry that of another program, and not of the plan as it is stored?
+inline bool is_foreign(const Entry& entry) { return entry.domain == "-"; }
+
 /// Short names of sources: file names without folders and endings where that leaves them unique, else the sources.
 std::vector<std::string> titles(const std::vector<std::string>& sources);
 
-/// Reads plan.json, meshes.jsonl and runs.jsonl. Gaps are to the certified upper bound of R, so they are never
-/// too small, and at least the certificate's width; before its first evaluation a run has the gap of the least
-/// R there can be (P <= sqrt(3) S, eq. 12). Throws std::runtime_error if the folder holds no comparison.
+/// Reads plan.json, meshes.jsonl, runs.jsonl and foreign.jsonl, whose programs are entries behind those of the plan.
+/// Gaps are to the certified upper bound of R, so they are never too small, and at least the certificate's width;
+/// before its first evaluation a run has the gap of the least R there can be (P <= sqrt(3) S, eq. 12). Of an objective
+/// without proof (Plan::proves()) `upper` is the best merit that any run, or the search before them, has found; gaps
+/// are to that, and may be too small. Throws std::runtime_error if the folder holds no comparison.
 Results load_results(const std::filesystem::path& folder);
 
 }  // namespace rectilin

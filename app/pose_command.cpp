@@ -1,0 +1,275 @@
+// rectilin pose: from meshes to poses, and to meshes in their pose.
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <set>
+
+#include "commands.h"
+#include "options.h"
+#include "rectilin/base/batch.h"
+#include "rectilin/base/whole_file.h"
+#include "rectilin/measure/area_vectors.h"
+#include "rectilin/mesh/source.h"
+#include "rectilin/pose/axes.h"
+#include "rectilin/pose/json.h"
+#include "rectilin/pose/pose.h"
+#include "rectilin/pose/summed_silhouette.h"
+#include "rectilin/pose/views.h"
+#include "rectilin/report/contact_sheet.h"
+#include "terminal.h"
+
+namespace rectilin::app {
+namespace {
+
+namespace fs = std::filesystem;
+using pose::AxisRule;
+
+constexpr double kSilhouettes = 1e-4;     // relative width to which areas in the table are known
+constexpr std::size_t kSheetLimit = 500;  // meshes on a contact sheet
+
+struct PoseOptions {
+  std::vector<std::string> sources;
+  std::string method = "composite";
+  std::string axes = "free";
+  std::string write, format = "off", sheet;
+  int threads = 0;
+  bool json = false;
+};
+
+struct Posed {
+  pose::Pose pose;
+  bool resolved = true;
+  double area = 0;
+  MeshReport report;
+  std::string file;                     ///< where the posed mesh was written
+  std::array<std::string, 3> pictures;  ///< if there is to be a contact sheet
+};
+
+const std::vector<std::pair<std::string, AxisRule>> kRules = {{"free", AxisRule::kFree},
+                                                              {"ordered", AxisRule::kOrdered},
+                                                              {"pca4", AxisRule::kOrdered},
+                                                              {"definite", AxisRule::kDefinite}};
+
+AxisRule rule_of(const std::string& name) {
+  return std::ranges::find(kRules, name, &std::pair<std::string, AxisRule>::first)->second;
+}
+
+/// A file for each source: `target` itself for one source if it is named like a mesh, else a file in that folder.
+std::vector<std::string> targets(const PoseOptions& options, const std::vector<std::string>& sources) {
+  if (options.write.empty()) return std::vector<std::string>(sources.size());
+  if (format_of_extension(options.write) && !fs::is_directory(options.write)) {
+    if (sources.size() > 1)
+      throw ParameterError("--write " + options.write + ": one file for several meshes; name a folder");
+    return {options.write};
+  }
+  if (!format_of_extension("mesh." + options.format))
+    throw ParameterError("no meshes are written as ." + options.format);
+  fs::create_directories(options.write);
+  std::vector<std::string> files;
+  std::set<std::string> taken;
+  for (const std::string& source : sources) {
+    std::string stem = fs::path(source).stem().string();
+    if (source.starts_with("shape:"))
+      stem = source.substr(6, source.find('?') == std::string::npos ? std::string::npos : source.find('?') - 6);
+    std::string name = stem;
+    for (int n = 2; !taken.insert(name).second; ++n) name = stem + "-" + std::to_string(n);
+    files.push_back((fs::path(options.write) / (name + "." + options.format)).string());
+  }
+  return files;
+}
+
+/// A mesh must not be written over what it was read from, or over another source still to be read.
+void check_targets(const std::vector<std::string>& targets, const std::vector<std::string>& sources) {
+  for (const std::string& target : targets)
+    for (const std::string& source : sources) {
+      std::error_code ignored;
+      if (!target.empty() && fs::equivalent(target, source, ignored))
+        throw ParameterError("--write would replace " + source + "; name another folder or file");
+    }
+}
+
+class Poser {
+ public:
+  explicit Poser(const PoseOptions& options)
+      : options_(options), method_(pose::pose_methods().make(options.method)), rule_(rule_of(options.axes)) {}
+
+  Posed operator()(const std::string& source, const std::string& target) const {
+    const LoadedMesh loaded = load_mesh(source);
+    const Mesh& mesh = loaded.mesh;
+    Posed posed;
+    posed.report = loaded.report;
+    posed.pose = method_(mesh);
+    const pose::Axes axes = pose::resolve_axes(mesh, posed.pose.rotation, rule_);
+    follow(posed.pose, axes.rotation);
+    posed.resolved = axes.resolved;
+    posed.area = area_vectors(mesh).area();
+    const pose::SummedSilhouette silhouette(mesh, kSilhouettes);
+    for (pose::PoseCandidate& candidate : posed.pose.candidates)
+      if (!candidate.silhouette) {
+        double value = 0;
+        silhouette.values({&candidate.rotation, 1}, {&value, 1});
+        candidate.silhouette = value;
+      }
+    if (!options_.sheet.empty()) posed.pictures = pose::three_views(mesh, posed.pose.rotation);
+    if (!target.empty()) {
+      write_mesh(target, pose::normalized(mesh, posed.pose));
+      posed.file = target;
+    }
+    return posed;
+  }
+
+ private:
+  /// Renames the frame's axes; the free one keeps its place in space.
+  static void follow(pose::Pose& pose, const Rotation& rotation) {
+    if (pose.free_axis >= 0) {
+      const Vector3 free = pose.rotation.axis(pose.free_axis);
+      int best = 0;
+      for (int k = 1; k < 3; ++k)
+        if (std::abs(rotation.axis(k).dot(free)) > std::abs(rotation.axis(best).dot(free))) best = k;
+      pose.free_axis = best;
+    }
+    pose.rotation = rotation;
+  }
+
+  const PoseOptions& options_;
+  pose::PoseMethod method_;
+  AxisRule rule_;
+};
+
+std::string uniqueness(const Posed& posed) {
+  const pose::Pose& pose = posed.pose;
+  switch (pose.uniqueness) {
+    case pose::Uniqueness::kUnique:
+      return posed.resolved ? "yes" : "axes?";
+    case pose::Uniqueness::kSeveral:
+      return std::to_string(pose.alternatives.size() + 1) + " poses";
+    case pose::Uniqueness::kContinuum:
+      return std::string("round ") + "xyz"[pose.free_axis];
+    case pose::Uniqueness::kNone:
+      return "no pose";
+  }
+  return "";
+}
+
+class Printer {
+ public:
+  Printer(const std::vector<std::string>& sources, bool json) : json_(json), table_(columns(sources)) {
+    if (!json_) std::cout << table_.header() << '\n' << std::flush;
+  }
+
+  void print(const std::string& name, const Posed& posed) const {
+    if (json_) {
+      Json line = {{"name", name}};
+      line.update(pose::to_json(posed.pose, posed.area));
+      if (!posed.file.empty()) line["file"] = posed.file;
+      std::cout << to_text(line) << '\n';
+    } else {
+      const pose::Pose& pose = posed.pose;
+      const pose::PoseCandidate& best = pose.candidates.front();
+      const double turn = frame_angle(pose.rotation, Rotation()) * (180 / std::numbers::pi);
+      const auto other = std::ranges::find_if(
+          pose.candidates, [&](const auto& c) { return frame_angle(c.rotation, best.rotation) > 1e-3; });
+      std::cout << table_.row({name, pose.chosen, fixed(best.projected, 6), fixed(best.silhouette.value_or(0), 6),
+                               other == pose.candidates.end() ? "-" : other->name,
+                               other == pose.candidates.end() ? "-" : fixed(other->silhouette.value_or(0), 6),
+                               fixed(turn, 3), uniqueness(posed), fixed(pose.confidence, 3)})
+                << '\n';
+    }
+    check_output();
+  }
+
+  void print_error(const std::string& name, const std::string& error) const {
+    complain(error);
+    if (json_) std::cout << to_text(Json{{"name", name}, {"error", error}}) << '\n';
+    check_output();
+  }
+
+ private:
+  static std::vector<Table::Column> columns(const std::vector<std::string>& sources) {
+    return {{"name", widest(sources)}, {"chosen", 22},   {"P/S", 9},    {"silhouettes", 11}, {"next", 22},
+            {"silhouettes", 11},       {"turned by", 9}, {"unique", 8}, {"confidence", 6}};
+  }
+
+  bool json_;
+  Table table_;
+};
+
+int pose_meshes(const PoseOptions& options) {
+  const Poser poser(options);
+  const std::vector<std::string> sources = expand_folders(options.sources);
+  if (sources.empty()) throw MeshError("the list of files is empty");
+  const std::vector<std::string> files = targets(options, sources);
+  check_targets(files, sources);
+  const auto limit = limit_threads(options.threads);
+  const std::stop_token stop = stop_on_interrupt();
+
+  const Printer printer(sources, options.json);
+  Progress progress(sources.size());
+  std::vector<report::SheetCell> cells;
+  std::size_t failed = 0;
+  const auto deliver = [&](std::size_t i, Outcome<Posed>&& outcome) {
+    progress.clear();
+    if (!outcome.value) {
+      ++failed;
+      printer.print_error(sources[i], outcome.error);
+      return;
+    }
+    complain_of_loss(sources[i], outcome.value->report);
+    printer.print(sources[i], *outcome.value);
+    if (options.sheet.empty() || cells.size() >= 3 * kSheetLimit) return;
+    const pose::Pose& pose = outcome.value->pose;
+    const std::array<std::string, 3> values = {pose.chosen, uniqueness(*outcome.value), fixed(pose.confidence, 3)};
+    for (std::size_t k = 0; k < 3; ++k)
+      cells.push_back(
+          {outcome.value->pictures[k], fs::path(sources[i]).filename().string() + " from " + "xyz"[k], values[k]});
+  };
+  const std::size_t done = for_each_in_order<Posed>(sources, [&](std::size_t i) { return poser(sources[i], files[i]); },
+                                                    deliver, {.stop = stop, .on_progress = progress.shown()});
+  progress.clear();
+  if (!options.sheet.empty()) write_whole_file(options.sheet, report::contact_sheet(cells, 6).svg);
+  if (done < sources.size()) complain("stopped: " + std::to_string(sources.size() - done) + " meshes have no pose");
+  return failed > 0 || done < sources.size() ? 1 : 0;
+}
+
+}  // namespace
+
+void add_pose_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<PoseOptions>();
+  CLI::App* command = app.add_subcommand("pose", "Find the pose of meshes, and write them in it");
+  command
+      ->add_option("source", options->sources,
+                   "Mesh files (.off .obj .ply .stl), folders of them, built-in shapes (shape:NAME?key=value)")
+      ->required();
+  command
+      ->add_option("-m,--method", options->method, "Method, with settings: composite?planes=12 (see 'rectilin poses')")
+      ->capture_default_str();
+  command
+      ->add_option("-a,--axes", options->axes,
+                   "Order and directions of the axes: free (as near to the given ones as can be), ordered or pca4 (by "
+                   "second moments, x the longest), definite (x and y also point to the larger half of the area)")
+      ->check(CLI::IsMember({"free", "ordered", "pca4", "definite"}))
+      ->capture_default_str();
+  command->add_option("-w,--write", options->write,
+                      "Folder for the meshes in their pose, or a file for one: centre of mass at the origin, largest "
+                      "polar distance 1. Vertices and faces only: colours and textures are not kept");
+  command->add_option("-f,--format", options->format, "Format of meshes written into a folder")->capture_default_str();
+  command->add_option("--sheet", options->sheet,
+                      "SVG file for a contact sheet: three views of each, 500 meshes at most");
+  add_threads_option(*command, options->threads, "the answer is the same for any");
+  command->add_flag("-j,--json", options->json, "One JSON object a line instead of the table");
+  command->footer(
+      "The table: the candidate taken, its projected area P and its three silhouettes over the surface's area S, the\n"
+      "next candidate with its silhouettes, the angle in degrees between the pose and the given axes (the nearest of "
+      "the\n"
+      "24 ways to name them), whether the pose is the only one, and how clear the choice was, from 0 to 1.\n"
+      "A file that has no pose costs its own row and the exit status (1).\n"
+      "Examples: rectilin pose chair.off\n"
+      "          rectilin pose meshes/ --write posed --axes definite --sheet posed.svg\n"
+      "          rectilin pose --method cpn --json meshes/ > poses.jsonl");
+  command->callback([options, &status] { status = pose_meshes(*options); });
+}
+
+}  // namespace rectilin::app

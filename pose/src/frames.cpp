@@ -1,0 +1,25 @@
+#include "frames.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace rectilin::pose {
+
+Rotation frame_of(Eigen::Matrix3d rows) {
+  if (rows.determinant() < 0) rows.row(2) = -rows.row(2);
+  return Rotation::from_matrix(rows);
+}
+
+Rotation frame_about(const Eigen::Vector3d& axis) {
+  Eigen::Matrix3d rows;
+  rows.row(0) = axis.unitOrthogonal().transpose();
+  rows.row(2) = axis.transpose();
+  rows.row(1) = axis.cross(Eigen::Vector3d(rows.row(0).transpose())).transpose();
+  return Rotation::from_matrix(rows);
+}
+
+double line_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
+}
+
+}  // namespace rectilin::pose

@@ -1,0 +1,17 @@
+// Small helpers on frames.
+#pragma once
+
+#include "rectilin/base/rotation.h"
+
+namespace rectilin::pose {
+
+/// The rotation with these rows, the last one turned around if that makes it proper.
+Rotation frame_of(Eigen::Matrix3d rows);
+
+/// Some frame whose third axis is `axis` (unit vector), or whose axis k is.
+Rotation frame_about(const Eigen::Vector3d& axis);
+
+/// The angle between two lines through the origin, in [0, pi/2]; unit vectors.
+double line_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
+}  // namespace rectilin::pose

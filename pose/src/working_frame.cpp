@@ -1,0 +1,35 @@
+#include "working_frame.h"
+
+#include <Eigen/Eigenvalues>
+
+#include "methods.h"
+#include "rectilin/pose/axes.h"
+
+namespace rectilin::pose {
+namespace {
+
+/// Principal axes whose moments differ by less are too sensitive to rounding.
+constexpr double kDistinct = 1e-3;
+
+}  // namespace
+
+Rotation working_frame(const Surface& surface) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(surface.moments);
+  const Eigen::Vector3d values = solver.eigenvalues();
+  const bool distinct = std::min(values[1] - values[0], values[2] - values[1]) > kDistinct * values[2];
+  const Rotation frame = distinct
+                             ? pca_pose(surface).rotation
+                             : rectilinear_pose(surface, {.gap = 1e-5, .cells = 200'000, .optima = false}).rotation;
+  return resolve_axes(surface.mesh, frame, AxisRule::kDefinite).rotation;
+}
+
+Surface turned(const Surface& surface, const Rotation& rotation) {
+  Surface result = surface;
+  const Eigen::Matrix3d& r = rotation.matrix();
+  for (Vector3& v : result.mesh.vertices) v = r * v;
+  for (Vector3& n : result.normals) n = r * n;
+  result.moments = r * surface.moments * r.transpose();
+  return result;
+}
+
+}  // namespace rectilin::pose
