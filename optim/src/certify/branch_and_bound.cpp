@@ -20,8 +20,9 @@ constexpr int kRetries = 3;                              // times new cuts may b
 constexpr std::uint64_t kCellsBeforeBalls = 100;
 constexpr std::uint64_t kGeneratorsPerCell = 100;  // looked at for a ball in about the time of a cell, or less
 
-constexpr std::uint64_t kCellsBeforeMinorants = 20'000;  // by then the incumbent tells how flat it is
-// What minorants on the sphere cost, in cells.
+constexpr std::uint64_t kCellsBeforeFloors = 20'000;  // by then the incumbent tells how flat it is
+constexpr double kProofMargin = 4e-12;                // floors are lowered by that for those who sum in another order
+// What floors cost, in cells.
 constexpr double kManyCells = 3e6, kCellsPerGenerator = 20;
 
 /// Neighbouring numbers between which the merit, which falls as values grow, falls to `target`.
@@ -72,7 +73,8 @@ CertifyResult BranchAndBound::run() {
       break;
     }
     update_balls();
-    update_minorants();
+    update_floors();
+    if (floors_) floors_->update();
     tbb::parallel_for(std::size_t{0}, round_.size(), [this](std::size_t i) { expand(round_[i]); });
     for (Slot& slot : round_) merge(slot);
     report();
@@ -81,6 +83,8 @@ CertifyResult BranchAndBound::run() {
   result_.incumbent = evaluator_.incumbent();
   result_.closed = evaluator_.has_incumbent() && (heap_.empty() || facts_.floor >= cutoff_);
   result_.largest_heap = heap_.largest();
+  if (floors_) result_.floor_triangles = floors_->triangles();
+  if (floors_ && getenv("DBG")) fprintf(stderr,"searches %ld\n",(long)result_.floor_triangles);
   if (proof_) settle_open_cells();
   return std::move(result_);
 }
@@ -185,21 +189,11 @@ bool BranchAndBound::is_flat() const {
   return cells > std::max(kManyCells, kCellsPerGenerator * static_cast<double>(generators_.size()));
 }
 
-void BranchAndBound::update_minorants() {
-  if (flatness_is_known_ || !options_.minorants || proof_ || generators_.size() == 0 ||
-      result_.cells < kCellsBeforeMinorants)
-    return;
+void BranchAndBound::update_floors() {
+  if (flatness_is_known_ || !options_.minorants || generators_.size() == 0 || result_.cells < kCellsBeforeFloors) return;
   flatness_is_known_ = true;
   if (!is_flat()) return;
-  // Finer triangles for a smaller gap; three axes may each lose the tolerance.
-  const double wanted = evaluator_.incumbent().value - cutoff_;
-  result_.minorant_levels = std::clamp(static_cast<int>(std::lround(2 - std::log10(3 * wanted))), 5, 8);
-  try {
-    minorants_ = std::make_unique<SphereMinorants>(generators_, result_.minorant_levels, 0.2 * wanted,
-                                                   [this] { return stopped(); });
-  } catch (const SphereMinorants::Stopped&) {
-    result_.minorant_levels = 0;
-  }
+  floors_ = std::make_unique<SupportFloor>(generators_, proof_ ? kProofMargin : 0, [this] { return stopped(); });
 }
 
 void BranchAndBound::expand(Slot& slot) const {
@@ -245,28 +239,12 @@ void BranchAndBound::halve(Slot& slot) const {
 
 PerCut<double> BranchAndBound::raise(Cell& cell) const {
   const PerCut<double> weight = bounder_.raise(cell, enough_);
-  if (minorants_ && cell.bound < enough_) sharpen(cell);
-  return weight;
-}
-
-/// Replaces the cell's local minorants by those of the caps its axes sweep, if that raises its bound.
-void BranchAndBound::sharpen(Cell& cell) const {
+  if (!floors_ || cell.bound >= enough_) return weight;
   const Corners corners(cell.box);
   const Rotation middle = rotation_from_rodrigues(cell.box.centre());
-  Cell sharper = cell;
-  sharper.has_local = true;
-  for (int k = 0; k < 3; ++k) {
-    const Eigen::Vector3d axis = middle.axis(k);
-    Eigen::Matrix3d form = Eigen::Matrix3d::Zero();
-    form.row(k) = axis.transpose();
-    const double cosine = box_bound(form, corners.along(k, axis), cell.box) - kBoxRounding;
-    if (cosine < 0.7) return;
-    const auto minorant = minorants_->on_cap(axis, std::acos(cosine) * (1 + 1e-9));
-    if (!minorant) return;
-    sharper.local[k] = *minorant;
-  }
-  bounder_.raise(sharper, enough_);
-  if (sharper.bound > cell.bound) cell = sharper;
+  const auto sweep = [&](int axis) { return Sweep(cell.box, corners, middle, axis); };
+  if (const auto floors = floors_->prove({sweep(0), sweep(1), sweep(2)}, enough_)) cell.bound = enough_;
+  return weight;
 }
 
 void BranchAndBound::merge(Slot& slot) {

@@ -9,7 +9,7 @@
 #include "certify/cell_heap.h"
 #include "certify/kink_ball.h"
 #include "certify/proof_tree.h"
-#include "certify/sphere_minorants.h"
+#include "certify/support_floor.h"
 #include "rectilin/optim/certify.h"
 #include "rectilin/optim/evaluator.h"
 
@@ -60,11 +60,10 @@ class BranchAndBound {
   void update_cutoff();
   void update_balls();
   bool is_flat() const;
-  void update_minorants();
+  void update_floors();
   void expand(Slot& slot) const;
   void halve(Slot& slot) const;
   PerCut<double> raise(Cell& cell) const;
-  void sharpen(Cell& cell) const;
   void merge(Slot& slot);
   void settle(Cell& cell, const PerCut<double>& weight);
   void settle_open_cells();
@@ -84,7 +83,7 @@ class BranchAndBound {
   Balls balls_;
   bool balls_are_current_ = false;
   std::uint64_t cells_at_balls_ = 0;  // when they were last made
-  std::unique_ptr<const SphereMinorants> minorants_;
+  std::unique_ptr<SupportFloor> floors_;
   bool flatness_is_known_ = false;
   Random jitter_{1};
 

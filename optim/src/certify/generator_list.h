@@ -4,11 +4,10 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "certify/spherical_triangle.h"
 #include "rectilin/optim/objective.h"
 
 namespace rectilin::bounding {
-
-using Triangle3 = std::array<Eigen::Vector3d, 3>;  ///< corners of a spherical triangle, unit vectors
 
 /// Vectors v_i whose great circles u . v_i = 0 may meet some region of the sphere, as a structure of arrays,
 /// padded with zeros. The other faces have one sign all over the region: their part of h is linear.
