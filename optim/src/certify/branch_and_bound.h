@@ -34,12 +34,18 @@ class BranchAndBound {
   CertifyResult run();
 
  private:
+  /// What proves a cell's bound, once that is enough: cuts with these weights or, if there are some, floors.
+  struct Reason {
+    PerCut<double> weight = {};
+    std::optional<std::array<double, 3>> floors = {};
+  };
+
   /// A half of a cell.
   struct Part {
     enum class State { kOpen, kDone, kOutside, kInBall };
     State state = State::kOpen;
     Cell cell;
-    PerCut<double> weight;  // that prove the bound, if done
+    Reason reason;  // if done
   };
 
   /// A cell of the round, and what becomes of it.
@@ -48,7 +54,7 @@ class BranchAndBound {
     State state = State::kAgain;
     Cell cell;
     std::optional<std::uint32_t> cuts;  // the first of the three new ones, if it asked for some
-    PerCut<double> weight;
+    Reason reason;
     int axis = 0;
     std::array<Part, 2> parts;
   };
@@ -63,9 +69,9 @@ class BranchAndBound {
   void update_floors();
   void expand(Slot& slot) const;
   void halve(Slot& slot) const;
-  PerCut<double> raise(Cell& cell) const;
+  Reason raise(Cell& cell) const;
   void merge(Slot& slot);
-  void settle(Cell& cell, const PerCut<double>& weight);
+  void settle(Cell& cell, const Reason& reason);
   void settle_open_cells();
   void report();
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -10,13 +9,10 @@
 namespace rectilin::bounding {
 namespace {
 
-static const double SZ = getenv("SZ") ? atof(getenv("SZ")) : 1.0;
-static const double FN = getenv("FN") ? atof(getenv("FN")) : 0.03;
-static const int MX = getenv("MX") ? atoi(getenv("MX")) : 400;
 constexpr int kFirstLevel = 3;             // whose triangles are bounded: edges of 0.2 radians
 constexpr int kFinestLevel = 20;           // edges of 1e-6 radians
-const double kStartEdge = SZ, kEndEdge = FN;  // of the triangles that cover a sweep, in units of its radius
-const int kMostDivisions = MX;           // of triangles for one box
+constexpr double kStartEdge = 1, kEndEdge = 0.03;  // of the triangles that cover a sweep, in units of its radius
+constexpr int kMostDivisions = 400;                // of triangles for one box
 constexpr std::size_t kMostBlocks = 1'000'000;
 constexpr double kRounding = 0x1p-44;  // of everything but the sums over faces, relative to S
 constexpr double kMostBytes = 1e8;     // for lists of faces
@@ -93,7 +89,9 @@ const GeneratorList& SupportFloor::faces_over(const Node& node, Eigen::Vector3d&
     auto made = std::make_unique<Node::Faces>();
     Eigen::Vector3d above;
     const GeneratorList& list = faces_over(*node.above, above);
-    made->settled = above + list.split(node.corners, made->list);
+    thread_local GeneratorList own;
+    made->settled = above + list.split(node.corners, own);
+    made->list = own.compact();
     faces = install(node.faces, std::move(made)).first;
   }
   settled = faces->settled;
@@ -183,7 +181,7 @@ class SupportFloor::Front {
   };
 
   void push(const Node& node, double mirror) {
-    if (sweep_->holds(mirror * node.centre)) value_ = std::min(value_, node.value);
+    if (node.value < value_ && sweep_->holds(mirror * node.centre)) value_ = node.value;
     entries_.push_back({node.bound, &node, mirror});
     std::ranges::push_heap(entries_, std::ranges::greater(), &Entry::bound);
   }
@@ -211,7 +209,7 @@ std::optional<std::array<double, 3>> SupportFloor::prove(const std::array<Sweep,
       return std::array<double, 3>{fronts[0].bound(), fronts[1].bound(), fronts[2].bound()};
     if (fronts[0].value() + fronts[1].value() + fronts[2].value() < enough) return std::nullopt;
     Front& coarsest = *std::ranges::min_element(fronts, {}, &Front::level);
-    if (!coarsest.divide(*this)) return std::nullopt;
+    if (!coarsest.divide(*this)) { return std::nullopt;}
   }
   return std::nullopt;
 }

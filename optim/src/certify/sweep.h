@@ -6,27 +6,27 @@
 
 namespace rectilin::bounding {
 
-/// A polygon about it, with great circles for sides: x . side_i <= reach_i for every direction x the axis takes. Lemma 1
-/// gives the reach.
+/// An octagon about it with great circles for sides: where the axis points, its product with the outer normal of a side
+/// is at most that side's reach. Lemma 1 gives the reach.
 class Sweep {
  public:
   Sweep(const Box& box, const Corners& corners, const Rotation& middle, int axis);
 
-  /// About the radius, in radians; infinite if the polygon is not known to lie in a half-sphere.
+  /// About the radius, in radians; infinite if the octagon is not known to be small.
   double radius() const { return radius_; }
 
-  /// False if no direction in the triangle, mirrored if `mirror` is -1, lies in the polygon.
+  /// False if no direction in the triangle, mirrored if `mirror` is -1, lies in the octagon.
   bool may_meet(const Triangle3& p, double mirror) const;
 
-  /// Is the unit vector in the polygon, but for rounding?
-  bool holds(const Eigen::Vector3d& x) const {
-    return x.dot(middle_) > 0 && (x[0] * side_[0] + x[1] * side_[1] + x[2] * side_[2] <= reach_).all();
-  }
+  /// Is the unit vector in the octagon, but for rounding?
+  bool holds(const Eigen::Vector3d& x) const;
 
  private:
-  Array8 side_[3];  // components; orthogonal to the direction in the middle
-  Array8 reach_;
-  Eigen::Vector3d middle_;
+  /// Products with four normals; the others are their opposites.
+  Eigen::Array4d along(const Eigen::Vector3d& x) const;
+
+  Eigen::Vector3d middle_, a_, b_;  // an orthonormal frame
+  Eigen::Array4d most_, least_;     // of along(), on the octagon
   double radius_;
 };
 
