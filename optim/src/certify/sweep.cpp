@@ -9,7 +9,7 @@
 namespace rectilin::bounding {
 namespace {
 
-constexpr double kRounding = 1e-12;  // of a reach, and of products of unit vectors, amply
+constexpr double kSweepRounding = 1e-12;  // of a reach, and of products of unit vectors, amply
 constexpr double kWidest = 0.7;      // reach of octagons worth looking at
 constexpr double kHalf = std::numbers::sqrt2 / 2;
 
@@ -20,7 +20,7 @@ Sweep::Sweep(const Box& box, const Corners& corners, const Rotation& middle, int
   const auto least = [&](const Eigen::Vector3d& direction) {
     Eigen::Matrix3d form = Eigen::Matrix3d::Zero();
     form.row(axis) = direction.transpose();
-    return box_bound(form, corners.along(axis, direction), box) - kRounding;
+    return box_bound(form, corners.along(axis, direction), box) - kSweepRounding;
   };
   const std::array<Eigen::Vector3d, 4> normals = {a_, b_, kHalf * (a_ + b_), kHalf * (a_ - b_)};
   for (int i = 0; i < 4; ++i) {
@@ -47,12 +47,12 @@ bool Sweep::may_meet(const Triangle3& p, double mirror) const {
   const Eigen::Array4d first = along(p[0]), second = along(p[1]), third = along(p[2]);
   const Eigen::Array4d low = first.min(second).min(third), high = first.max(second).max(third);
   if (mirror > 0) {
-    if ((low > most_ + kRounding).any() || (high < least_ - kRounding).any()) return false;
+    if ((low > most_ + kSweepRounding).any() || (high < least_ - kSweepRounding).any()) return false;
   } else {
-    if ((low > kRounding - least_).any() || (high < -most_ - kRounding).any()) return false;
+    if ((low > kSweepRounding - least_).any() || (high < -most_ - kSweepRounding).any()) return false;
   }
   // Not if it is behind.
-  return std::max({mirror * p[0].dot(middle_), mirror * p[1].dot(middle_), mirror * p[2].dot(middle_)}) >= -kRounding;
+  return std::max({mirror * p[0].dot(middle_), mirror * p[1].dot(middle_), mirror * p[2].dot(middle_)}) >= -kSweepRounding;
 }
 
 }  // namespace rectilin::bounding
