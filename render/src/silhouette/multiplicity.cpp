@@ -45,7 +45,7 @@ struct Level {
 /// point they would never end. All other halvings leave at most three quarters of the edges in either half.
 bool worth_halving(const Content& content) {
   const std::size_t edges = content.edges();
-  return edges > kFew && content.doubled < 3 + static_cast<int>(std::bit_width(edges)) / 3 &&
+  return edges > kFew && content.doubled < 2 + static_cast<int>(std::bit_width(edges)) &&
          content.zooms < static_cast<int>(std::min<std::size_t>(kMostZooms, 4 + edges / 4));
 }
 
@@ -178,6 +178,8 @@ CoveredArea covered_area(std::vector<JumpEdge> edges, double tolerance) {
   level.cells.push_back({all, 0, 0, 0, level.edges.size(), 0, 0});
   double open = area_of(all);
   std::size_t settled = 0;
+  // Memory is bounded: a level beyond that is integrated, however long it takes.
+  const std::size_t most = 16 * level.edges.size() + (std::size_t{1} << 22);
   const auto enough = [&] { return open <= tolerance * sum.area; };
   while (!level.cells.empty() && !enough()) {
     next.clear();
@@ -187,7 +189,7 @@ CoveredArea covered_area(std::vector<JumpEdge> edges, double tolerance) {
       const auto inside = level.edges_of(content);
       const auto steps = level.steps_of(content);
       const Verdict verdict = judge(content.cell, inside, steps);
-      if (verdict == Verdict::kOpen && worth_halving(content)) {
+      if (verdict == Verdict::kOpen && worth_halving(content) && next.edges.size() < most) {
         halving.halve(content, level, next);
         continue;
       }
