@@ -11,13 +11,13 @@ namespace rectilin::render {
 namespace {
 
 constexpr std::size_t kFew = 6;  // edges of a cell that is integrated rather than halved
-constexpr int kDeepest = 120;    // halvings, of either side in turn: then cells are as small as rounding
+constexpr int kMostZooms = 120;  // of either side in turn: then cells are as small as rounding
 
 /// A cell with its share of the level's edges and steps.
 struct Content {
   Cell cell;
-  int halvings;  ///< since the whole picture
-  int doubled;   ///< of them in a row, those that left most of the edges in both halves
+  int zooms;    ///< halvings in a row that left most of the edges together
+  int doubled;  ///< halvings since the whole picture that left most of them in one half and many in the other as well
   std::size_t first_edge, end_edge, first_step, end_step;
 
   std::size_t edges() const { return end_edge - first_edge; }
@@ -39,12 +39,14 @@ struct Level {
   }
 };
 
-/// Edges that lie on one line are doubled by every halving across them and never parted, so after some it is cheaper to
-/// integrate; the more there are the longer it is tried. Halvings towards a part of the cell that has all edges cost
-/// little, but where edges meet in one point they would never end.
+/// Edges on one line are doubled by every halving across them and never parted; so only some doublings are allowed on
+/// the way to a cell, more of them the more edges there are and the dearer they are to integrate. Halvings that zoom in
+/// on a part of the cell with most of its edges are cheap, and needed for parts far apart; where edges meet in one
+/// point they would never end. All other halvings leave at most three quarters of the edges in either half.
 bool worth_halving(const Content& content) {
-  return content.edges() > kFew && content.halvings < kDeepest &&
-         content.doubled < 3 + static_cast<int>(std::bit_width(content.edges())) / 3;
+  const std::size_t edges = content.edges();
+  return edges > kFew && content.doubled < 2 + static_cast<int>(std::bit_width(edges)) &&
+         content.zooms < static_cast<int>(std::min<std::size_t>(kMostZooms, 4 + edges / 4));
 }
 
 double area_of(const Cell& cell) { return (cell.right - cell.left) * (cell.high - cell.low); }
@@ -70,6 +72,11 @@ class Halving {
     const Cell& cell = content.cell;
     if (cell.high - cell.low >= cell.right - cell.left) halve_height(content, from, to);
     else halve_width(content, from, to);
+    Content &one = to.cells[to.cells.size() - 2], &other = to.cells.back();
+    const std::size_t fewer = std::min(one.edges(), other.edges()), more = std::max(one.edges(), other.edges());
+    const bool together = 4 * more > 3 * content.edges();
+    one.zooms = other.zooms = together ? content.zooms + 1 : 0;
+    one.doubled = other.doubled = content.doubled + (together && 2 * fewer > content.edges() ? 1 : 0);
   }
 
  private:
@@ -171,6 +178,8 @@ CoveredArea covered_area(std::vector<JumpEdge> edges, double tolerance) {
   level.cells.push_back({all, 0, 0, 0, level.edges.size(), 0, 0});
   double open = area_of(all);
   std::size_t settled = 0;
+  // Memory is bounded: a level beyond that is integrated, however long it takes.
+  const std::size_t most = 16 * level.edges.size() + (std::size_t{1} << 22);
   const auto enough = [&] { return open <= tolerance * sum.area; };
   while (!level.cells.empty() && !enough()) {
     next.clear();
@@ -180,7 +189,7 @@ CoveredArea covered_area(std::vector<JumpEdge> edges, double tolerance) {
       const auto inside = level.edges_of(content);
       const auto steps = level.steps_of(content);
       const Verdict verdict = judge(content.cell, inside, steps);
-      if (verdict == Verdict::kOpen && worth_halving(content)) {
+      if (verdict == Verdict::kOpen && worth_halving(content) && next.edges.size() < most) {
         halving.halve(content, level, next);
         continue;
       }

@@ -43,7 +43,7 @@ Silhouette& Silhouette::operator=(Silhouette&&) noexcept = default;
 AreaInterval Silhouette::area(const Vector3& direction, double tolerance) const {
   if (!(tolerance >= 0 && tolerance <= 1)) throw std::invalid_argument("a tolerance is from 0 to 1");
   const Contours::Picture picture = contours_->seen_along(unit_vector(direction));
-  const CoveredArea covered = covered_area(picture.edges, tolerance);
+  const CoveredArea covered = covered_area(picture.edges, 0.999 * tolerance);  // the rest is for rounding
   const double slack = picture.slack + covered.slack;
   if (covered.area + covered.open + slack == 0) return {0, 0};
   return scaled(covered.area - slack, covered.area + covered.open + slack, contours_->exponent());
