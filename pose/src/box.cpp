@@ -1,13 +1,15 @@
 // The box of least volume round a mesh.
 //
-// O'Rourke (1985) finds it exactly in cubic time. Here each of many frames is improved by turning it about its own axes
-// in turn until that gains nothing, each time to the exact best: the rectangle of least area round the projection, one
-// of whose sides lies along an edge of the projection's outline (Freeman and Shapira 1975). Chang, Gorissen and
-// Melchior (2011) found that such descents from few starts nearly always end at the optimum.
+// O'Rourke (1985) finds it exactly in cubic time. Here one axis of the box is searched, over the hemisphere, and the
+// two others are exact for it: they are the sides of the rectangle of least area round the projection, one of which
+// lies along an edge of the projection's outline (Freeman and Shapira 1975). The best directions of a scan, and the
+// normals of the hull's largest faces, on which boxes often lie, are moved to a minimum by pattern search; then the box
+// is turned about its axes in turn, each time to the exact best, as Chang, Gorissen and Melchior (2011) end theirs.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "frames.h"
 #include "methods.h"
@@ -17,6 +19,10 @@
 
 namespace rectilin::pose {
 namespace {
+
+constexpr std::size_t kFaces = 64;    // of the hull, that are tried as sides
+constexpr std::size_t kRefined = 10;  // boxes that are moved to a minimum
+constexpr int kTilts = 6;             // directions of a step
 
 struct Box {
   Rotation rotation;
@@ -105,51 +111,79 @@ Box descend(const std::vector<Vector3>& points, Rotation start) {
   return best;
 }
 
-}  // namespace
+/// The best box that has this axis.
+Box box_along(const std::vector<Vector3>& points, const Vector3& axis) {
+  return turned_best(points, frame_about(axis), 2);
+}
 
-Pose box_pose(const Surface& given, const BoxOptions& options) {
-  const Rotation work = working_frame(given);
-  const Surface surface = turned(given, work);
-  const Mesh hull = convex_hull(surface.mesh);
-  std::vector<std::pair<std::string, Box>> found;
-  const auto offer = [&](std::string name, const Rotation& start) {
-    found.emplace_back(std::move(name), descend(hull.vertices, start));
-  };
-  // The sides of the best box often lie on large faces of the hull.
+/// Tilts the axis until no small step makes the box smaller.
+Box refined(const std::vector<Vector3>& points, Box best) {
+  for (double step = 0.04; step > 1e-7;) {
+    const Box start = best;
+    for (int i = 0; i < kTilts; ++i) {
+      const double turn = i * 2 * std::numbers::pi / kTilts;
+      const Vector3 axis = (start.rotation.axis(2) +
+                            step * (std::cos(turn) * start.rotation.axis(0) + std::sin(turn) * start.rotation.axis(1)))
+                               .normalized();
+      if (const Box found = box_along(points, axis); found.volume < best.volume) best = found;
+    }
+    if (!(best.volume < start.volume * (1 - 1e-12))) step /= 2;
+  }
+  return descend(points, best.rotation);
+}
+
+/// The normals of the largest faces, no two nearly alike.
+std::vector<Vector3> large_faces(const Mesh& hull, std::size_t count) {
   std::vector<std::pair<double, Vector3>> faces;
   for (const Triangle& t : hull.triangles) {
     const Vector3 n = (hull.vertices[t[1]] - hull.vertices[t[0]]).cross(hull.vertices[t[2]] - hull.vertices[t[0]]);
     if (n.norm() > 0) faces.emplace_back(n.norm(), n.normalized());
   }
   std::ranges::stable_sort(faces, std::greater(), &std::pair<double, Vector3>::first);
-  offer("principal axes", Rotation());
-  for (std::size_t i = 0; i < std::min<std::size_t>(faces.size(), 64); ++i)
-    offer("face of the hull", frame_about(faces[i].second));
-  Random random(1);
-  for (int i = 0; i < options.starts; ++i) offer("search", random_rotation(random));
+  std::vector<Vector3> normals;
+  for (const auto& [area, normal] : faces) {
+    if (normals.size() == count) break;
+    const auto alike = [&n = normal](const Vector3& other) { return std::abs(other.dot(n)) > 1 - 1e-6; };
+    if (std::ranges::none_of(normals, alike)) normals.push_back(normal);
+  }
+  return normals;
+}
+
+}  // namespace
+
+Pose box_pose(const Surface& given, const BoxOptions& options) {
+  const Rotation work = working_frame(given);
+  const Surface surface = turned(given, work);
+  const Mesh hull = convex_hull(surface.mesh);
+  std::vector<std::pair<std::string, Box>> scanned;
+  for (const Vector3& normal : large_faces(hull, kFaces))
+    scanned.emplace_back("face of the hull", box_along(hull.vertices, normal));
+  for (int k = 0; k < 3; ++k) scanned.emplace_back("principal axis", box_along(hull.vertices, Vector3::Unit(k)));
+  for (int i = 0; i < options.directions; ++i)
+    scanned.emplace_back("search", box_along(hull.vertices, hemisphere_point(i, options.directions)));
+  std::ranges::stable_sort(scanned, {}, [](const auto& s) { return s.second.volume; });
+  if (scanned.size() > kRefined) scanned.resize(kRefined);
+  for (auto& [name, box] : scanned) box = refined(hull.vertices, box);
+  std::ranges::stable_sort(scanned, {}, [](const auto& s) { return s.second.volume; });
 
   Pose pose;
-  const double unit = std::pow(surface.area, 1.5);
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& [name, box] : found) least = std::min(least, box.volume);
-  std::ranges::stable_sort(found, {}, [](const auto& f) { return f.second.volume; });
-  for (const auto& [name, box] : found) {
+  const double unit = std::pow(surface.area, 1.5), best = scanned.front().second.volume;
+  for (const auto& [name, box] : scanned) {
     const Rotation rotation = box.rotation * work;
-    if (std::ranges::any_of(pose.candidates, [&](const auto& c) { return frame_angle(c.rotation, rotation) < 1e-3; }))
-      continue;
-    if (box.volume > least * 1.2 + 1e-12) break;
+    const auto same = [&r = rotation](const PoseCandidate& c) { return frame_angle(c.rotation, r) < 1e-3; };
+    if (std::ranges::any_of(pose.candidates, same)) continue;
     PoseCandidate candidate;
     candidate.name = name;
     candidate.rotation = rotation;
     candidate.volume = candidate.score = box.volume / unit;
+    if (!pose.candidates.empty() && box.volume <= best * (1 + 1e-6)) {
+      pose.uniqueness = Uniqueness::kSeveral;
+      pose.alternatives.push_back(rotation);
+    }
     pose.candidates.push_back(std::move(candidate));
   }
   choose(pose, 0);
-  pose.reason = "least volume of " + std::to_string(found.size()) + " descents";
-  const double best = *pose.candidates.front().volume;
-  for (const PoseCandidate& other : pose.candidates)
-    if (&other != &pose.candidates.front() && *other.volume <= best * (1 + 1e-6))
-      pose.uniqueness = Uniqueness::kSeveral, pose.alternatives.push_back(other.rotation);
+  pose.reason = "least volume of " + std::to_string(scanned.size()) + " local minima";
   note_roundness(pose, given, convex_hull(given.mesh));
   return pose;
 }

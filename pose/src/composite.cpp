@@ -120,7 +120,7 @@ Pose composite_pose(const Surface& given, const CompositeOptions& options) {
 
   Candidates candidates{surface, defect};
   candidates.add("rectilinear",
-                 rectilinear_pose(surface, {.gap = options.gap, .cells = 200'000, .optima = false}).rotation);
+                 rectilinear_pose(surface, {.gap = options.gap, .cells = 20'000, .optima = false}).rotation);
   candidates.add("pca", pca_pose(surface).rotation);
   add_turned(candidates, mirror_planes(defect, static_cast<std::size_t>(options.planes)), mesh_area, hull_area);
   score(candidates.list, mesh_area, options.symmetry);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 
 namespace rectilin::pose {
 
@@ -16,6 +17,12 @@ Rotation frame_about(const Eigen::Vector3d& axis) {
   rows.row(2) = axis.transpose();
   rows.row(1) = axis.cross(Eigen::Vector3d(rows.row(0).transpose())).transpose();
   return Rotation::from_matrix(rows);
+}
+
+Eigen::Vector3d hemisphere_point(int i, int count) {
+  const double z = 1 - (i + 0.5) / count, turn = i * std::numbers::pi * (3 - std::sqrt(5.0));
+  const double r = std::sqrt(1 - z * z);
+  return {r * std::cos(turn), r * std::sin(turn), z};
 }
 
 double line_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {

@@ -11,6 +11,9 @@ Rotation frame_of(Eigen::Matrix3d rows);
 /// Some frame whose third axis is `axis` (unit vector), or whose axis k is.
 Rotation frame_about(const Eigen::Vector3d& axis);
 
+/// Point i of `count` of a Fibonacci spiral over the hemisphere z >= 0, spread evenly.
+Eigen::Vector3d hemisphere_point(int i, int count);
+
 /// The angle between two lines through the origin, in [0, pi/2]; unit vectors.
 double line_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 

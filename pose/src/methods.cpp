@@ -14,7 +14,7 @@ void CertifiedOptions::bind(Parameters& table) {
 }
 
 void BoxOptions::bind(Parameters& table) {
-  table.integer("starts", starts, 1, 100'000, "frames that the search begins from, besides the hull's largest faces");
+  table.integer("directions", directions, 1, 1'000'000, "directions of the hemisphere tried as an axis of the box");
 }
 
 void SymmetryOptions::bind(Parameters& table) { table.integer("planes", planes, 1, 100, "mirror planes looked for"); }

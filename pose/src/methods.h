@@ -19,7 +19,7 @@ struct CertifiedOptions {
 };
 
 struct BoxOptions {
-  int starts = 24;
+  int directions = 400;
   void bind(Parameters& table);
 };
 

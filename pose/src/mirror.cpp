@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "frames.h"
+
 namespace rectilin::pose {
 namespace {
 
@@ -17,13 +19,6 @@ constexpr double kApart = 5 * std::numbers::pi / 180;
 // Of polishing: rounds, how much worse the defect may become, and how far the normal may turn.
 constexpr int kRounds = 12;
 constexpr double kAllowed = 0.005, kStray = 2 * std::numbers::pi / 180;
-
-/// Point i of a Fibonacci spiral over the hemisphere z >= 0.
-Vector3 hemisphere_point(int i, int count) {
-  const double z = 1 - (i + 0.5) / count, turn = i * std::numbers::pi * (3 - std::sqrt(5.0));
-  const double r = std::sqrt(1 - z * z);
-  return {r * std::cos(turn), r * std::sin(turn), z};
-}
 
 /// Pattern search in tilt (two angles) and offset.
 MirrorPlane refined(const MirrorDefect& defect, MirrorPlane plane) {

@@ -85,7 +85,7 @@ Pose silhouette_pose(const Surface& given, const SilhouetteOptions& options) {
   const Rotation work = working_frame(given);
   const Surface surface = turned(given, work);
   const SummedSilhouette objective(surface.mesh, options.tolerance);
-  const Pose rectilinear = rectilinear_pose(surface, {.gap = 1e-4, .cells = 200'000, .optima = false});
+  const Pose rectilinear = rectilinear_pose(surface, {.gap = 1e-4, .cells = 20'000, .optima = false});
   const std::vector<Rotation> starts = {pca_pose(surface).rotation, rectilinear.rotation};
   std::vector<double> values(starts.size());
   objective.values(starts, values);

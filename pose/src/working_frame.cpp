@@ -17,9 +17,8 @@ Rotation working_frame(const Surface& surface) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(surface.moments);
   const Eigen::Vector3d values = solver.eigenvalues();
   const bool distinct = std::min(values[1] - values[0], values[2] - values[1]) > kDistinct * values[2];
-  const Rotation frame = distinct
-                             ? pca_pose(surface).rotation
-                             : rectilinear_pose(surface, {.gap = 1e-5, .cells = 200'000, .optima = false}).rotation;
+  const Rotation frame = distinct ? pca_pose(surface).rotation
+                                  : rectilinear_pose(surface, {.gap = 1e-5, .cells = 20'000, .optima = false}).rotation;
   return resolve_axes(surface.mesh, frame, AxisRule::kDefinite).rotation;
 }
 
