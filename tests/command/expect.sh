@@ -18,10 +18,10 @@ expect() {
 }
 
 # begin COMMAND...: runs it beside this script, as $pid, with signals as a terminal gives them: without job control bash
-# has commands behind & ignore SIGINT.
+# has commands behind & ignore SIGINT, and tests that were themselves begun so hand that down.
 begin() {
   set -m
-  "$@" >out 2>err </dev/null &
+  env --default-signal=INT,QUIT "$@" >out 2>err </dev/null &
   pid=$!
   set +m
 }
