@@ -148,11 +148,10 @@ std::vector<Triangle> triangles_of(py::handle faces, std::size_t vertices) {
   const char kind = array.dtype().kind();
   if (kind != 'i' && kind != 'u')
     throw py::type_error("F holds " + std::string(py::str(array.dtype())) + ", not integers");
-  if (vertices > std::numeric_limits<std::uint32_t>::max())
-    throw py::value_error("V has more than 2^32 vertices");
+  if (vertices > std::numeric_limits<std::uint32_t>::max()) throw py::value_error("V has more than 2^32 vertices");
   const bool wide = array.itemsize() > 4;
-  if (kind == 'u') return wide ? checked_triangles<std::uint64_t>(array, vertices)
-                               : checked_triangles<std::uint32_t>(array, vertices);
+  if (kind == 'u')
+    return wide ? checked_triangles<std::uint64_t>(array, vertices) : checked_triangles<std::uint32_t>(array, vertices);
   return wide ? checked_triangles<std::int64_t>(array, vertices) : checked_triangles<std::int32_t>(array, vertices);
 }
 
@@ -169,9 +168,10 @@ Rotations rotations_of(py::handle given, const std::optional<std::string>& form,
   if (form == "angles") return read(array, {3}, ThreeNumbers{Form::kAngles, nullptr});
   if (form == "domain" && domain) return read(array, {3}, ThreeNumbers{Form::kDomain, domain});
   if (!form)
-    throw py::value_error("the rotations have shape " + shape_text(array) +
-                          ": (n, 3, 3) are matrices, (n, 4) quaternions; say form='rodrigues', 'vector' or 'angles' for "
-                          "(n, 3)");
+    throw py::value_error(
+        "the rotations have shape " + shape_text(array) +
+        ": (n, 3, 3) are matrices, (n, 4) quaternions; say form='rodrigues', 'vector' or 'angles' for "
+        "(n, 3)");
   throw ParameterError("no form of rotations '" + *form + "'; there are matrix, quaternion, rodrigues, vector, angles" +
                        (domain ? ", domain" : ""));
 }
@@ -206,8 +206,7 @@ py::object to_python(const Json& json) {
       return result;
     }
     case Json::value_t::string:
-      return py::reinterpret_steal<py::object>(
-          PyUnicode_DecodeFSDefault(json.get_ref<const std::string&>().c_str()));
+      return py::reinterpret_steal<py::object>(PyUnicode_DecodeFSDefault(json.get_ref<const std::string&>().c_str()));
     case Json::value_t::boolean:
       return py::bool_(json.get<bool>());
     case Json::value_t::number_integer:

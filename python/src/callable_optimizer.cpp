@@ -10,8 +10,7 @@ namespace {
 /// Takes the evaluator back however the search ends.
 class Lease {
  public:
-  Lease(AtWork& at_work, LentEvaluator& lent, unsigned long thread)
-      : at_work_(at_work), lent_(lent), thread_(thread) {
+  Lease(AtWork& at_work, LentEvaluator& lent, unsigned long thread) : at_work_(at_work), lent_(lent), thread_(thread) {
     at_work_.begin(thread_);
   }
   ~Lease() { end(); }
@@ -72,7 +71,8 @@ void CallableOptimizer::run(Evaluator& evaluator, const Domain& domain, Random& 
     const py::object rng = py::module_::import("numpy").attr("random").attr("default_rng")(random.seed());
     const py::object result = search_(lent, evaluator.remaining(), rng);
     if (!result.is_none())
-      throw std::runtime_error("the optimizer returned a " + std::string(py::str(py::type::of(result).attr("__name__"))) +
+      throw std::runtime_error("the optimizer returned a " +
+                               std::string(py::str(py::type::of(result).attr("__name__"))) +
                                "; it should return nothing: the best rotation that it asked for is the result");
   } catch (py::error_already_set& error) {
     const bool silent = lease.end();

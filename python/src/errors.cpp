@@ -29,7 +29,8 @@ void bind_errors(py::module_& m) {
       "A wrong name, setting or value. One line: which, and what would be accepted.";
   exhausted = PyErr_NewExceptionWithDoc(
       "rectilin.Exhausted",
-      "Nothing is left of a run's budget, or it was stopped. Raised when an optimizer asks on all the same. It ends the\n"
+      "Nothing is left of a run's budget, or it was stopped. Raised when an optimizer asks on all the same. It ends "
+      "the\n"
       "run as planned, so there is no need to catch it. Not an Exception, as KeyboardInterrupt is none.",
       PyExc_BaseException, nullptr);
   if (exhausted == nullptr) throw py::error_already_set();
@@ -46,7 +47,8 @@ std::string one_line(py::error_already_set& error) {
     text += place_of(error.trace());
   } catch (py::error_already_set&) {  // an exception that cannot even say what it is
   }
-  std::ranges::replace_if(text, [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
+  std::ranges::replace_if(
+      text, [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
   return text;
 }
 

@@ -7,8 +7,7 @@
 namespace rectilin::python {
 
 Interrupt::Interrupt(py::object progress) : progress_(std::move(progress)) {
-  if (!progress_.is_none() && PyCallable_Check(progress_.ptr()) == 0)
-    throw py::type_error("progress is not callable");
+  if (!progress_.is_none() && PyCallable_Check(progress_.ptr()) == 0) throw py::type_error("progress is not callable");
 }
 
 void Interrupt::attach(RunSettings& settings) {

@@ -13,9 +13,9 @@ namespace rectilin::python {
 
 namespace py = pybind11;
 
-/// Python's handler of Ctrl-C only leaves a note; somebody must look. A run does so ten times a second, first after half
-/// a second: that is as long as Ctrl-C takes. What the handler raises, or a progress function, stops the run and is
-/// raised when it has ended.
+/// Python's handler of Ctrl-C only leaves a note; somebody must look. A run does so ten times a second, first after
+/// half a second: that is as long as Ctrl-C takes. What the handler raises, or a progress function, stops the run and
+/// is raised when it has ended.
 class Interrupt {
  public:
   /// `progress(evaluations, seconds, lower, upper)`, or None.

@@ -9,9 +9,9 @@
 #include <thread>
 
 #include "errors.h"
+#include "measure.h"
 #include "mesh.h"
 #include "optim.h"
-#include "measure.h"
 #include "rectilin/base/fnv1a.h"
 #include "rectilin/laboratory/comparison.h"
 #include "rectilin/laboratory/report.h"
@@ -267,12 +267,14 @@ ComparedMesh compared(const Problem& problem) {
 }
 
 void bind_laboratory(py::module_& m) {
-  py::class_<Comparison>(m, "Comparison", "A finished comparison: what compare() gives. Its numbers are files in `folder`.")
+  py::class_<Comparison>(m, "Comparison",
+                         "A finished comparison: what compare() gives. Its numbers are files in `folder`.")
       .def_readonly("folder", &Comparison::folder)
       .def_property_readonly(
           "page", [](const Comparison& c) { return c.folder + "/index.html"; }, "The page with the result.")
       .def_property_readonly(
-          "failed_runs", [](const Comparison& c) { return c.outcome.failed_runs; }, "The page lists them; so does runs.")
+          "failed_runs", [](const Comparison& c) { return c.outcome.failed_runs; },
+          "The page lists them; so does runs.")
       .def_property_readonly(
           "mesh_errors", [](const Comparison& c) { return c.outcome.mesh_errors; },
           "One line for each mesh that could not be measured.")
@@ -288,7 +290,8 @@ void bind_laboratory(py::module_& m) {
   m.def("compare", &compare, py::arg("problems"), py::arg("optimizers"), py::kw_only(), py::arg("runs") = 15,
         py::arg("budget") = 10000, py::arg("seed") = 1, py::arg("domain") = "covering",
         py::arg("certificate") = Plan().certificate, py::arg("out") = "comparison", py::arg("threads") = py::none(),
-        py::arg("patience") = 60.0, py::arg("progress") = py::none(), R"(Compares optimizers and writes a page with the result.
+        py::arg("patience") = 60.0, py::arg("progress") = py::none(),
+        R"(Compares optimizers and writes a page with the result.
 
 problems: sources (files, folders, shapes), Problems or meshes in a list, or a dict of them by name. optimizers: texts,
 callables, or a dict of both by name: {'ga': 'ga', 'gray': 'ga?encoding=gray@zone', 'mine': my_search}. Each runs `runs`

@@ -212,8 +212,8 @@ std::vector<double> weights_of(py::handle weights, py::ssize_t count) {
 }
 
 MeasureOptions measure_options_of(const MeasureArguments& arguments) {
-  const bool proves = arguments.optimizer.starts_with("certify") &&
-                      (arguments.optimizer.size() == 7 || arguments.optimizer[7] == '?');
+  const bool proves =
+      arguments.optimizer.starts_with("certify") && (arguments.optimizer.size() == 7 || arguments.optimizer[7] == '?');
   MeasureOptions options;
   if (arguments.optimizer != "certify") options = measure_options(arguments.optimizer, all_optimizers());
   const CertifyOptions defaults;
@@ -294,9 +294,8 @@ Returns N, (n, 3), and weights, (n,): the file's `weight` or `area`, else 1. Poi
 Raises MeshError for a file without normals.
 
     >>> N, weights = rectilin.read_normals('cloud.ply')  # doctest: +SKIP)");
-  m.def(
-      "rectilinearity", py::vectorize([](double value) { return rectilinearity(value); }), py::arg("value"),
-      R"(R = 3 (S/P - 2/3) for values P/S of the objective: a float, or an array for an array.
+  m.def("rectilinearity", py::vectorize([](double value) { return rectilinearity(value); }), py::arg("value"),
+        R"(R = 3 (S/P - 2/3) for values P/S of the objective: a float, or an array for an array.
 
     >>> rectilin.rectilinearity(1.0)
     1.0)");

@@ -94,8 +94,9 @@ GivenMesh::GivenMesh(py::handle vertices, py::handle faces) {
   } else {
     const py::object points = attribute(vertices, {"vertices", "points"}), triangles = faces_of(vertices);
     if (points.is_none() || triangles.is_none())
-      throw py::type_error("a mesh is wanted: V and F, an object with .vertices and .faces, or the name of a file; not " +
-                           std::string(py::str(py::type::of(vertices))) + " alone");
+      throw py::type_error(
+          "a mesh is wanted: V and F, an object with .vertices and .faces, or the name of a file; not " +
+          std::string(py::str(py::type::of(vertices))) + " alone");
     take(points, triangles);
   }
 }
@@ -175,7 +176,8 @@ MeshError if the format cannot hold the mesh, OSError if the file cannot be writ
 
     >>> rectilin.save('box.ply', rectilin.shape('box')))");
   m.def(
-      "shapes", [] { return list_entries(shape_table().entries()); }, R"(The built-in shapes: a list of dicts with name, help and parameters.
+      "shapes", [] { return list_entries(shape_table().entries()); },
+      R"(The built-in shapes: a list of dicts with name, help and parameters.
 
     >>> 'pyramid' in [s['name'] for s in rectilin.shapes()]
     True)");

@@ -22,7 +22,9 @@ class GivenMesh {
   /// Throws TypeError or ValueError, MeshError or ParameterError for a source.
   GivenMesh(py::handle vertices, py::handle faces);
 
-  MeshView view() const { return {vertices_, own_ ? std::span<const Triangle>(own_->loaded.mesh.triangles) : triangles_}; }
+  MeshView view() const {
+    return {vertices_, own_ ? std::span<const Triangle>(own_->loaded.mesh.triangles) : triangles_};
+  }
   Mesh copy() const;
   /// The source's or the OwnMesh's; empty for arrays.
   const std::string& name() const { return name_; }

@@ -116,16 +116,16 @@ them; 'zone': a cube of Rodrigues vectors, all.
             return to_array(Vector3(d.coordinates(rotation_of(rotation, form, nullptr))));
           },
           py::arg("rotation"), py::arg("form") = py::none(), "(3,): the point nearest to a rotation's frame.");
-  m.def(
-      "domain", &domain_by_name, py::arg("name"), py::return_value_policy::reference,
-      R"(The Domain 'covering', 'paper' or 'zone'.
+  m.def("domain", &domain_by_name, py::arg("name"), py::return_value_policy::reference,
+        R"(The Domain 'covering', 'paper' or 'zone'.
 
     >>> rectilin.domain('paper').covers
     False)");
 }
 
 void bind_problem(py::module_& m) {
-  py::class_<Problem, std::shared_ptr<Problem>>(m, "Problem", R"(The objective of a mesh: P/S as a function of rotations, to be minimised.
+  py::class_<Problem, std::shared_ptr<Problem>>(
+      m, "Problem", R"(The objective of a mesh: P/S as a function of rotations, to be minimised.
 
 Problem(V, F, name=...) or Problem(mesh): V and F, an object that has both, or a source, as for measure(). P/S lies in
 [1, sqrt(3)], and R = rectilinearity(P/S). Keeps what it needs: the arrays may change afterwards.
@@ -148,9 +148,10 @@ the axis), rotation 'vector's (radians) or the paper's 'angles' (radians); one, 
       .def_property_readonly("directions", &directions_of, "Distinct directions of faces.")
       .def_property_readonly(
           "area", [](const Problem& p) { return p.objective->vectors().area(); }, "In the square of the mesh's unit.")
-      .def_property_readonly("vectors", &vectors_of,
-                             "(directions, 3): the area vectors over the whole area; a row's length is its share of the "
-                             "area, so P/S at R is abs(vectors @ R.T).sum(). A copy.")
+      .def_property_readonly(
+          "vectors", &vectors_of,
+          "(directions, 3): the area vectors over the whole area; a row's length is its share of the "
+          "area, so P/S at R is abs(vectors @ R.T).sum(). A copy.")
       .def(
           "values",
           [](const Problem& p, py::handle rotations, const Form& form) {
@@ -171,7 +172,8 @@ the axis), rotation 'vector's (radians) or the paper's 'angles' (radians); one, 
             return smooth(*p.objective, directions_of(p), rotation_of(rotation, form, nullptr), width);
           },
           py::arg("rotation"), py::arg("width"), py::arg("form") = py::none(),
-          "(value, gradient): a smooth upper bound that tends to P/S as width (radians) goes to 0. The gradient is with "
+          "(value, gradient): a smooth upper bound that tends to P/S as width (radians) goes to 0. The gradient is "
+          "with "
           "respect to the matrix's entries.")
       .def(
           "best_turn",
@@ -241,14 +243,15 @@ std::shared_ptr<Problem> problem_of(py::handle given, py::handle faces, const st
   if (faces.is_none() && py::isinstance<Problem>(given)) {
     const auto problem = given.cast<std::shared_ptr<Problem>>();
     if (!name || *name == problem->objective->name()) return problem;
-    return std::make_shared<Problem>(
-        Problem{std::make_shared<const ProjectedArea>(AreaVectors(problem->objective->vectors()), *name), problem->faces});
+    return std::make_shared<Problem>(Problem{
+        std::make_shared<const ProjectedArea>(AreaVectors(problem->objective->vectors()), *name), problem->faces});
   }
   const GivenMesh mesh(given, faces);
   const std::string own = mesh.name().empty() ? "mesh" : mesh.name();
   const py::gil_scoped_release release;
-  return std::make_shared<Problem>(Problem{
-      std::make_shared<const ProjectedArea>(area_vectors(mesh.view()), name.value_or(own)), mesh.view().triangles.size()});
+  return std::make_shared<Problem>(
+      Problem{std::make_shared<const ProjectedArea>(area_vectors(mesh.view()), name.value_or(own)),
+              mesh.view().triangles.size()});
 }
 
 void bind_optim(py::module_& m) {

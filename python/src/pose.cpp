@@ -54,8 +54,9 @@ py::tuple axes_of(py::handle vertices, py::handle faces, py::handle rotation, co
 }  // namespace
 
 void bind_pose(py::module_& m) {
-  py::class_<FoundPose>(m, "Pose", "How a mesh is moved, scaled and turned: what pose() gives. The posed mesh is "
-                                   "scale * (V - centre) @ rotation.T.")
+  py::class_<FoundPose>(m, "Pose",
+                        "How a mesh is moved, scaled and turned: what pose() gives. The posed mesh is "
+                        "scale * (V - centre) @ rotation.T.")
       .def_property_readonly("method", [](const FoundPose& p) { return p.pose.method; })
       .def_property_readonly(
           "chosen", [](const FoundPose& p) { return p.pose.chosen; }, "Name of the candidate that was taken.")
@@ -65,16 +66,15 @@ void bind_pose(py::module_& m) {
           "rotation", [](const FoundPose& p) { return to_array(p.pose.rotation.matrix()); },
           "(3, 3): its rows are the pose's axes in the mesh's coordinates.")
       .def_property_readonly(
-          "centre", [](const FoundPose& p) { return to_array(p.pose.centre); },
-          "(3,): the surface's centre of mass.")
+          "centre", [](const FoundPose& p) { return to_array(p.pose.centre); }, "(3,): the surface's centre of mass.")
       .def_property_readonly(
           "scale", [](const FoundPose& p) { return p.pose.scale; }, "One over the farthest corner's distance from it.")
       .def_property_readonly(
           "uniqueness", [](const FoundPose& p) { return to_string(p.pose.uniqueness); },
           "'unique', 'several', 'continuum' (turns about free_axis) or 'none'.")
       .def_property_readonly(
-          "free_axis", [](const FoundPose& p) { return p.pose.free_axis < 0 ? py::object(py::none())
-                                                                            : py::int_(p.pose.free_axis); },
+          "free_axis",
+          [](const FoundPose& p) { return p.pose.free_axis < 0 ? py::object(py::none()) : py::int_(p.pose.free_axis); },
           "0, 1 or 2 for a continuum, else None.")
       .def_property_readonly(
           "alternatives",
@@ -92,9 +92,8 @@ void bind_pose(py::module_& m) {
           "All of it, the candidates too, as the command's JSON.")
       .def("normalized", &normalized_mesh, py::arg("V"), py::arg("F") = py::none(),
            "The mesh in this pose: centre of mass at the origin, largest distance from it 1. A Mesh.")
-      .def("__repr__", [](const FoundPose& p) {
-        return "<rectilin.Pose by " + p.pose.method + ": " + p.pose.chosen + ">";
-      });
+      .def("__repr__",
+           [](const FoundPose& p) { return "<rectilin.Pose by " + p.pose.method + ": " + p.pose.chosen + ">"; });
   m.def("pose", &find_pose, py::arg("V"), py::arg("F") = py::none(), py::kw_only(), py::arg("method") = "composite",
         py::arg("threads") = py::none(), R"(Finds the pose of a mesh.
 

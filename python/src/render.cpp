@@ -14,8 +14,7 @@ Vector3 direction_of(py::handle given) {
   const auto row = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given);
   if (!row || row.ndim() != 1 || row.shape(0) != 3) throw py::value_error("the direction is not three numbers");
   const Vector3 direction(row.data());
-  if (!direction.allFinite() || direction.isZero(0))
-    throw py::value_error("the direction is zero or not finite");
+  if (!direction.allFinite() || direction.isZero(0)) throw py::value_error("the direction is zero or not finite");
   return direction;
 }
 
@@ -26,9 +25,9 @@ py::array_t<Number> picture(py::handle vertices, py::handle faces, py::object di
                             const Draw& draw) {
   if (!direction.is_none() && !rotation.is_none())
     throw ParameterError("a direction or a rotation says where the viewer is, not both");
-  const Rotation frame = rotation.is_none() ? render::frame_towards(
-                                                  direction.is_none() ? Vector3::UnitZ() : direction_of(direction))
-                                            : rotation_of(rotation, std::nullopt, nullptr);
+  const Rotation frame = rotation.is_none()
+                             ? render::frame_towards(direction.is_none() ? Vector3::UnitZ() : direction_of(direction))
+                             : rotation_of(rotation, std::nullopt, nullptr);
   const GivenMesh given(vertices, faces);
   const Mesh mesh = given.copy();
   std::vector<Number> values;
@@ -51,10 +50,10 @@ py::array_t<std::uint16_t> depth_picture(py::handle vertices, py::handle faces, 
 
 py::array_t<std::uint8_t> shaded_picture(py::handle vertices, py::handle faces, py::object direction,
                                          py::object rotation, int size) {
-  return picture<std::uint8_t>(
-      vertices, faces, std::move(direction), std::move(rotation), size, [&](const Mesh& mesh, const Rotation& frame) {
-        return render::shaded(mesh, render::ball_fitting(mesh, frame, 0.05), frame, size);
-      });
+  return picture<std::uint8_t>(vertices, faces, std::move(direction), std::move(rotation), size,
+                               [&](const Mesh& mesh, const Rotation& frame) {
+                                 return render::shaded(mesh, render::ball_fitting(mesh, frame, 0.05), frame, size);
+                               });
 }
 
 py::object silhouettes(py::handle vertices, py::handle faces, py::handle directions, double tolerance,
@@ -125,7 +124,8 @@ allowed for. Raises ValueError for a direction that is zero or not finite.
         return py::array_t<double>({static_cast<py::ssize_t>(sphere.size()), py::ssize_t{3}},
                                    reinterpret_cast<const double*>(sphere.directions().data()));
       },
-      py::arg("count"), R"(The unit vectors of the paper's geodesic sphere of 6, 18, 66, 258, 1026 ... directions: (count, 3).
+      py::arg("count"),
+      R"(The unit vectors of the paper's geodesic sphere of 6, 18, 66, 258, 1026 ... directions: (count, 3).
 
     >>> rectilin.views(18).shape
     (18, 3))");

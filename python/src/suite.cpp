@@ -1,3 +1,5 @@
+#include "rectilin/laboratory/suite.h"
+
 #include <pybind11/stl.h>
 
 #include "interrupt.h"
@@ -6,7 +8,6 @@
 #include "optim.h"
 #include "rectilin/base/whole_file.h"
 #include "rectilin/laboratory/report.h"
-#include "rectilin/laboratory/suite.h"
 
 namespace rectilin::python {
 namespace {
@@ -18,8 +19,7 @@ py::list list_suites() {
     for (const SuiteProblem& p : suite.problems)
       problems.append(
           py::dict(py::arg("name") = p.name, py::arg("source") = p.source, py::arg("landscape") = p.landscape));
-    list.append(
-        py::dict(py::arg("name") = suite.name, py::arg("help") = suite.help, py::arg("problems") = problems));
+    list.append(py::dict(py::arg("name") = suite.name, py::arg("help") = suite.help, py::arg("problems") = problems));
   }
   return list;
 }

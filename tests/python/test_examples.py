@@ -59,14 +59,13 @@ def test_every_name_is_documented_and_most_by_example():
     assert examples >= 12
 
 
-def test_docstrings(doctest_namespace):
-    finder, count = doctest.DocTestFinder(recurse=False), 0
+def test_docstrings(doctest_namespace, tmp_path):
+    finder, count, failures = doctest.DocTestFinder(recurse=False), 0, []
     for name, thing in documented():
-        for test in finder.find(thing, name, module=False, globs=dict(doctest_namespace)):
-            report = []
-            doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(test, out=report.append)
-            assert not report, "".join(report)
+        for test in finder.find(thing, name, module=False, globs={**doctest_namespace, "folder": str(tmp_path / name)}):
+            doctest.DocTestRunner(optionflags=doctest.ELLIPSIS).run(test, out=failures.append)
             count += len(test.examples)
+    assert not failures, "".join(failures)
     assert count > 40
 
 

@@ -12,25 +12,28 @@ namespace rectilin {
 namespace {
 
 Suite landscapes() {
-  return {"landscapes-1",
-          "built-in shapes of every kind of landscape",
-          {
-              {"box", "shape:box?x=1&y=2&z=3&rotate=random&seed=1", "three directions at right angles, one much weaker: R = 1 at a sharp corner"},
-              {"lshape", "shape:lshape?rotate=random&seed=2", "the same with other weights"},
-              {"pyramid", "shape:pyramid?rotate=random&seed=3", "five directions, several local minima"},
-              {"prism", "shape:prism?rotate=random&seed=4", "four directions: one axis is plain, the turn about it is not"},
-              {"cut-cube", "shape:cut-cube?rotate=random&seed=5", "four directions: a sharp minimum beside others nearly as good"},
-              {"stairs", "shape:stairs?rotate=random&seed=6", "three directions at right angles, nearly equal weights"},
-              {"stepped-pyramid", "shape:stepped-pyramid?steps=20&rotate=random&seed=7", "the same of many small faces"},
-              {"filleted-cube", "shape:filleted-cube?rotate=random&seed=8", "a smooth, wide basin"},
-              {"noisy-cube", "shape:filleted-cube?noise=0.01&rotate=random&seed=9", "a basin with small ripples"},
-              {"cylinder", "shape:cylinder?sides=64&rotate=random&seed=10", "nearly a circle of minima"},
-              {"torus", "shape:torus?rotate=random&seed=11", "shallow, nearly a circle of minima"},
-              {"ellipsoid", "shape:ellipsoid?rotate=random&seed=12", "smooth and shallow"},
-              {"blob", "shape:blob?faces=5000&rotate=random&seed=13", "smooth, many local minima"},
-              {"blob-coarse", "shape:blob?faces=200&rotate=random&seed=14", "many local minima with corners"},
-              {"soup", "shape:soup?rotate=random&seed=15", "many random directions: flat with many minima"},
-          }};
+  return {
+      "landscapes-1",
+      "built-in shapes of every kind of landscape",
+      {
+          {"box", "shape:box?x=1&y=2&z=3&rotate=random&seed=1",
+           "three directions at right angles, one much weaker: R = 1 at a sharp corner"},
+          {"lshape", "shape:lshape?rotate=random&seed=2", "the same with other weights"},
+          {"pyramid", "shape:pyramid?rotate=random&seed=3", "five directions, several local minima"},
+          {"prism", "shape:prism?rotate=random&seed=4", "four directions: one axis is plain, the turn about it is not"},
+          {"cut-cube", "shape:cut-cube?rotate=random&seed=5",
+           "four directions: a sharp minimum beside others nearly as good"},
+          {"stairs", "shape:stairs?rotate=random&seed=6", "three directions at right angles, nearly equal weights"},
+          {"stepped-pyramid", "shape:stepped-pyramid?steps=20&rotate=random&seed=7", "the same of many small faces"},
+          {"filleted-cube", "shape:filleted-cube?rotate=random&seed=8", "a smooth, wide basin"},
+          {"noisy-cube", "shape:filleted-cube?noise=0.01&rotate=random&seed=9", "a basin with small ripples"},
+          {"cylinder", "shape:cylinder?sides=64&rotate=random&seed=10", "nearly a circle of minima"},
+          {"torus", "shape:torus?rotate=random&seed=11", "shallow, nearly a circle of minima"},
+          {"ellipsoid", "shape:ellipsoid?rotate=random&seed=12", "smooth and shallow"},
+          {"blob", "shape:blob?faces=5000&rotate=random&seed=13", "smooth, many local minima"},
+          {"blob-coarse", "shape:blob?faces=200&rotate=random&seed=14", "many local minima with corners"},
+          {"soup", "shape:soup?rotate=random&seed=15", "many random directions: flat with many minima"},
+      }};
 }
 
 /// Bounds of the optimum, with the mesh they are of.
@@ -114,8 +117,8 @@ void export_suite(const Suite& suite, const std::filesystem::path& folder, doubl
     list.push_back(std::move(entry));
   };
   if (for_each_in_order<Json>(names, work, write, control) < names.size()) throw Stopped();
-  const Json json = {{"format", "rectilin suite"}, {"version", 1},         {"name", suite.name},
-                     {"help", suite.help},         {"problems", list}};
+  const Json json = {
+      {"format", "rectilin suite"}, {"version", 1}, {"name", suite.name}, {"help", suite.help}, {"problems", list}};
   write_whole_file(folder / "suite.json", to_text(json, 2) + '\n');
 }
 

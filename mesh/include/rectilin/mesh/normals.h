@@ -21,8 +21,8 @@ struct WeightedNormals {
 };
 
 /// Reads the element `vertex` of a PLY file, text or binary: `nx`, `ny`, `nz`, and as weight `weight` or `area` if it
-/// has one of these, else 1. Throws MeshError if the file is malformed, is no PLY, has no normals, no point with one, or
-/// a weight that is negative or not finite. Thread safe.
+/// has one of these, else 1. Throws MeshError if the file is malformed, is no PLY, has no normals, no point with one,
+/// or a weight that is negative or not finite. Thread safe.
 WeightedNormals read_normals(const std::filesystem::path& file);
 
 /// The same from bytes in memory; `name` stands for the file in errors.
