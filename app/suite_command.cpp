@@ -72,14 +72,16 @@ void add_suite_command(CLI::App& app, int& status) {
   command->add_option("suite", options->what, "A suite's name, or meshes of your own; none: the list of suites");
   command->add_option("-O,--out", options->out, "Folder for the problems as JSON; else their sources are printed");
   command->add_option("-g,--gap", options->gap, "Width to which optima are enclosed")
-      ->check(width())
+      ->check(width_of_interval())
       ->capture_default_str();
   command->add_option("--traces", options->traces, "Runs of another program, one JSON object a line");
   command->add_option("--into", options->into, "Folder of the comparison whose page is to show them");
   add_threads_option(*command, options->threads, "the problems are the same for any");
   command->footer(
-      "A problem's file holds area vectors v, the best rotation known and proved bounds. A program minimises the sum of\n"
-      "|R v|_1 over rotations R; a line of its results is {\"problem\": \"pyramid\", \"optimizer\": \"mine\", \"run\": 0,\n"
+      "A problem's file holds area vectors v, the best rotation known and proved bounds. A program minimises the sum "
+      "of\n"
+      "|R v|_1 over rotations R; a line of its results is {\"problem\": \"pyramid\", \"optimizer\": \"mine\", \"run\": "
+      "0,\n"
       "\"evaluations\": [1, 7], \"value\": [1.3, 1.2], \"rotation\": [[...], [...], [...]]}.\n"
       "Examples: rectilin suite landscapes-1 -O problems\n"
       "          rectilin compare $(rectilin suite landscapes-1) -o ga,multistart -O out\n"
