@@ -41,6 +41,9 @@ class Binary(Distribution):
     def has_ext_modules(self):  # the wheel is for this machine's kind
         return True
 
+    def has_pure_modules(self):  # or nothing would be built, as no package is listed
+        return True
+
 
 setup(
     name="rectilin",

@@ -11,9 +11,16 @@
 #include <vector>
 
 #include "rectilin/base/parameters.h"
+#include "verify/floors.h"
+#include "verify/part.h"
 
 namespace rectilin {
 namespace {
+
+using verifying::Face;
+using verifying::Floors;
+using verifying::least_on;
+using verifying::Part;
 
 using PlainJson = nlohmann::json;  // the project's own keeps the order of keys, which nothing here needs
 using Matrix3 = Eigen::Matrix3d;
@@ -29,6 +36,7 @@ static_assert(std::numeric_limits<long double>::digits >= 64, "sums over blocks 
 
 constexpr double kHalfEdge = 0.41421356237309510;  // of the zone's cube, at least sqrt(2) - 1
 constexpr int kMostHalvings = 12;                  // of a leaf, until its bound shows
+constexpr int kMostFloorHalvings = 6;              // the same, if it rests on floors
 
 /// Reason for refusing.
 struct Refusal {
@@ -36,10 +44,6 @@ struct Refusal {
 };
 
 [[noreturn]] void refuse(std::string reason) { throw Refusal{std::move(reason)}; }
-
-struct Face {
-  double x, y, z;  // area vector, in units of the surface
-};
 
 /// Half the cross products of two edges, over their total length.
 std::vector<Face> area_vectors_of(const MeshView& mesh) {
@@ -77,52 +81,12 @@ Eigen::Vector3d cut(const std::vector<Face>& faces, const Eigen::Vector3d& u) {
   return total.cast<double>();
 }
 
-/// A box of Rodrigues vectors rho; the rotation is ((1 - |rho|^2) I + 2 rho rho^T + 2 [rho]x) / (1 + |rho|^2).
-struct Part {
-  Eigen::Vector3d low, high;
-
-  Part half(int axis, bool upper) const {
-    Part part = *this;
-    (upper ? part.low : part.high)[axis] = 0.5 * (low[axis] + high[axis]);
-    return part;
-  }
-
-  /// The least |rho|_1 in the box exceeds 1.
-  bool outside_zone() const {
-    long double sum = 0;
-    for (int i = 0; i < 3; ++i) sum += std::max({0.0, low[i], -high[i]});
-    return sum > 1;
-  }
-};
-
-/// Is sum_k g_k . r_k(rho) >= bound on the box, g_k the rows of g? Multiplied by 1 + |rho|^2 it says that a polynomial,
-/// quadratic in each coordinate, is nonnegative. It is if its Bernstein coefficients on the box are: those are the
-/// values of its polar form, where x^2 becomes low^2, low * high or high^2 and x their mean.
+/// Is sum_k g_k . r_k(rho) >= bound on the box, g_k the rows of g?
 bool holds(const Matrix3& g, double bound, const Part& part, int halvings) {
-  const double trace = g.trace();
-  const Eigen::Vector3d linear(g(2, 1) - g(1, 2), g(0, 2) - g(2, 0), g(1, 0) - g(0, 1));
-  bool nonnegative = true;
-  for (int index = 0; index < 27; ++index) {
-    const std::array<int, 3> digit = {index % 3, index / 3 % 3, index / 9};
-    double x[3], square[3];
-    for (int i = 0; i < 3; ++i) {
-      const double a = digit[i] == 2 ? part.high[i] : part.low[i], b = digit[i] == 0 ? part.low[i] : part.high[i];
-      x[i] = 0.5 * (a + b);
-      square[i] = a * b;
-    }
-    double coefficient = trace - bound;
-    for (int i = 0; i < 3; ++i) {
-      coefficient += 2 * linear[i] * x[i] + (2 * g(i, i) - trace - bound) * square[i];
-      for (int j = 0; j < i; ++j) coefficient += 2 * (g(i, j) + g(j, i)) * x[i] * x[j];
-    }
-    nonnegative = nonnegative && coefficient >= 0;
-  }
-  if (nonnegative) return true;
+  if (least_on(g, part) >= bound) return true;
   if (halvings == 0) return false;
-  int longest = 0;
-  (part.high - part.low).maxCoeff(&longest);
-  return holds(g, bound, part.half(longest, false), halvings - 1) &&
-         holds(g, bound, part.half(longest, true), halvings - 1);
+  const int axis = part.longest();
+  return holds(g, bound, part.half(axis, false), halvings - 1) && holds(g, bound, part.half(axis, true), halvings - 1);
 }
 
 double number(const PlainJson& json) {
@@ -156,12 +120,23 @@ Eigen::Vector3d mixture(const PlainJson& terms, const std::vector<Eigen::Vector3
   return result / sum;
 }
 
+/// Three numbers that add up to `lower`, each a floor of h on what its axis sweeps.
+void check_floors(const PlainJson& json, const Part& part, double lower, Floors& floors, const std::string& where) {
+  const Eigen::Vector3d stated = vector(json);
+  if (!(stated.sum() >= lower + kAllowance)) refuse(where + ": its floors do not add up to the bound");
+  switch (floors.check({stated[0], stated[1], stated[2]}, part, kMostFloorHalvings)) {
+    case Floors::Answer::kHolds: return;
+    case Floors::Answer::kFails: refuse(where + ": its floors do not hold");
+    case Floors::Answer::kTooMany: refuse(where + ": its floors would need too many triangles");
+  }
+}
+
 /// Walks the tree, an explicit stack in the place of recursion. Every box is halved, checked or outside, so the leaves
 /// cover the zone when the stack is empty.
-std::size_t check_leaves(const std::string& tree, const PlainJson& leaves, const std::vector<Eigen::Vector3d>& cuts,
-                         double lower) {
+std::size_t check_leaves(const std::string& tree, const PlainJson& leaves, const PlainJson& stated_floors,
+                         const std::vector<Eigen::Vector3d>& cuts, Floors& floors, double lower) {
   std::vector<Part> open = {{Eigen::Vector3d::Constant(-kHalfEdge), Eigen::Vector3d::Constant(kHalfEdge)}};
-  std::size_t leaf = 0;
+  std::size_t leaf = 0, floor = 0;
   for (const char node : tree) {
     if (open.empty()) refuse("the tree goes on after its end");
     const Part part = open.back();
@@ -179,13 +154,18 @@ std::size_t check_leaves(const std::string& tree, const PlainJson& leaves, const
       Matrix3 g;
       for (int k = 0; k < 3; ++k) g.row(k) = mixture(axes[k], cuts, where).transpose();
       if (!holds(g, lower + kAllowance, part, kMostHalvings)) refuse(where + ": its bound does not hold");
+    } else if (node == 'h') {
+      const std::string where = "floor " + std::to_string(floor);
+      if (floor >= stated_floors.size()) refuse(where + " is missing");
+      check_floors(stated_floors[floor++], part, lower, floors, where);
     } else {
       refuse("the tree has an unknown node");
     }
   }
   if (!open.empty()) refuse("the tree ends too early: a part of the zone is not covered");
   if (leaf != leaves.size()) refuse("there are more leaves than the tree has");
-  return leaf;
+  if (floor != stated_floors.size()) refuse("there are more floors than the tree has");
+  return leaf + floor;
 }
 
 /// P/S at the rotation, from above.
@@ -201,7 +181,7 @@ double value_at(const std::vector<Face>& faces, const Matrix3& r) {
 Verdict check(const PlainJson& json, const MeshView& mesh) {
   if (!json.is_object() || json.value("format", "") != "rectilin certificate") refuse("this is not a certificate");
   if (json.value("version", 0) != 1) refuse("the certificate's version is not 1");
-  for (const char* key : {"mesh", "rotation", "value", "lower", "tree", "directions", "leaves"})
+  for (const char* key : {"mesh", "rotation", "value", "lower", "tree", "directions", "leaves", "floors"})
     if (!json.contains(key)) refuse(std::string("'") + key + "' is missing");
   if (json["mesh"] != mesh_digest(mesh)) refuse("the certificate is about another mesh");
   const std::vector<Face> faces = area_vectors_of(mesh);
@@ -215,8 +195,9 @@ Verdict check(const PlainJson& json, const MeshView& mesh) {
   if (lower > value) refuse("the bound exceeds the value");
 
   Verdict verdict;
-  if (!json["tree"].is_string() || !json["leaves"].is_array() || !json["directions"].is_array())
-    refuse("the tree, the leaves or the directions are malformed");
+  if (!json["tree"].is_string() || !json["leaves"].is_array() || !json["directions"].is_array() ||
+      !json["floors"].is_array())
+    refuse("the tree, the leaves, the floors or the directions are malformed");
   const std::string tree = json["tree"];
   if (tree == "f") {  // |R v|_1 >= |v|, summed over the faces: P >= S
     if (lower > 1) refuse("the bound exceeds the general one, which is all that is claimed");
@@ -224,7 +205,8 @@ Verdict check(const PlainJson& json, const MeshView& mesh) {
     std::vector<Eigen::Vector3d> cuts;
     for (const PlainJson& direction : json["directions"]) cuts.push_back(cut(faces, vector(direction)));
     verdict.directions = cuts.size();
-    verdict.leaves = check_leaves(tree, json["leaves"], cuts, lower);
+    Floors floors(faces);
+    verdict.leaves = check_leaves(tree, json["leaves"], json["floors"], cuts, floors, lower);
   }
   verdict.accepted = true;
   constexpr double kRounding = 0x1p-50;  // of these two lines

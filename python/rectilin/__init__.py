@@ -14,7 +14,7 @@ Measure
 
 Optimize
     >>> problem = rectilin.Problem('shape:pyramid')  # P/S as a function of rotations
-    >>> problem.values(r.rotation) < problem.values([0, 0, 0, 1])
+    >>> problem.values(r.rotation) < problem.values([0.1, 0.2, 0.3, 1])
     True
     >>> run = rectilin.optimize(problem, 'ga', budget=2000)
     >>> run.rectilinearity <= r.upper
@@ -28,7 +28,9 @@ Compare, your own optimizers among others
 
 Meshes        load, save, shape, shapes, sources, Mesh
 Measuring     measure, measure_normals, read_normals, verify, rectilinearity, Rectilinearity, Verdict
+Posing        pose, poses, resolve_axes, Pose
 Looking       render, shaded, silhouette_area, views
+Retrieving    describe, distance, descriptors
 Optimizing    Problem, optimize, optimizers, domain, Run, Evaluator, Domain
 Comparing     compare, Comparison; suites, suite, export, read_traces
 Exceptions    MeshError and ParameterError, both ValueErrors of one line; Exhausted, which ends an optimizer
@@ -46,12 +48,16 @@ from ._rectilin import (
     Mesh,
     MeshError,
     ParameterError,
+    Pose,
     Problem,
     Rectilinearity,
     Run,
     Verdict,
     __version__,
     compare,
+    describe,
+    descriptors,
+    distance,
     domain,
     export,
     load,
@@ -59,10 +65,13 @@ from ._rectilin import (
     measure_normals,
     optimize,
     optimizers,
+    pose,
+    poses,
     read_normals,
     read_traces,
     rectilinearity,
     render,
+    resolve_axes,
     save,
     shaded,
     shape,

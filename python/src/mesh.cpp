@@ -5,6 +5,7 @@
 #include "rectilin/mesh/mesh_report.h"
 #include "rectilin/mesh/shapes.h"
 #include "rectilin/mesh/source.h"
+#include "tables.h"
 
 namespace rectilin::python {
 namespace {
@@ -69,27 +70,6 @@ void save(py::handle file, py::handle vertices, py::handle faces, bool binary) {
   if (failure.empty()) return;
   PyErr_SetString(PyExc_OSError, failure.c_str());
   throw py::error_already_set();
-}
-
-py::list list_shapes() {
-  py::list shapes;
-  for (const auto& entry : shape_table().entries()) {
-    py::list parameters;
-    for (const auto& p : entry.parameters) {
-      py::dict d;
-      d["name"] = p.name;
-      d["default"] = to_python(p.value);
-      d["accepts"] = p.accepts;
-      d["help"] = p.help;
-      parameters.append(d);
-    }
-    py::dict shape;
-    shape["name"] = entry.name;
-    shape["help"] = entry.help;
-    shape["parameters"] = parameters;
-    shapes.append(shape);
-  }
-  return shapes;
 }
 
 }  // namespace
@@ -194,7 +174,8 @@ V, F: see measure(). binary: PLY and STL only. PLY and text keep every bit; bina
 MeshError if the format cannot hold the mesh, OSError if the file cannot be written.
 
     >>> rectilin.save('box.ply', rectilin.shape('box')))");
-  m.def("shapes", &list_shapes, R"(The built-in shapes: a list of dicts with name, help and parameters.
+  m.def(
+      "shapes", [] { return list_entries(shape_table().entries()); }, R"(The built-in shapes: a list of dicts with name, help and parameters.
 
     >>> 'pyramid' in [s['name'] for s in rectilin.shapes()]
     True)");

@@ -1,11 +1,13 @@
-// rectilin._rectilin: one bind function a house. To come beside them, as the houses do: pose, retrieval.
+// rectilin._rectilin: one bind function a house.
 #include "errors.h"
 #include "laboratory.h"
 #include "measure.h"
 #include "mesh.h"
 #include "optim.h"
+#include "pose.h"
 #include "rectilin/base/version.h"
 #include "render.h"
+#include "retrieval.h"
 
 PYBIND11_MODULE(_rectilin, m) {
   using namespace rectilin::python;
@@ -15,6 +17,8 @@ PYBIND11_MODULE(_rectilin, m) {
   bind_mesh(m);
   bind_measure(m);
   bind_render(m);
+  bind_pose(m);
+  bind_retrieval(m);
   bind_optim(m);
   bind_laboratory(m);
   bind_suite(m);

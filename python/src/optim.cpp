@@ -8,6 +8,7 @@
 #include "objective.h"
 #include "rectilin/optim/adapters/all_optimizers.h"
 #include "rectilin/optim/run_record.h"
+#include "tables.h"
 #include "threads.h"
 
 namespace rectilin::python {
@@ -80,13 +81,9 @@ RunRecord optimize(const Problem& problem, py::object optimizer, py::object budg
 py::list list_optimizers() {
   py::list list;
   for (const Registry::Entry& entry : all_optimizers().entries()) {
-    py::list parameters;
-    for (const auto& p : entry.parameters)
-      parameters.append(py::dict(py::arg("name") = p.name, py::arg("default") = to_python(p.value),
-                                 py::arg("accepts") = p.accepts, py::arg("help") = p.help));
-    list.append(
-        py::dict(py::arg("name") = entry.name, py::arg("help") = entry.help, py::arg("parameters") = parameters,
-                 py::arg("capabilities") = to_python(to_json(all_optimizers().make(entry.name)->capabilities()))));
+    py::dict optimizer = entry_dict(entry);
+    optimizer["capabilities"] = to_python(to_json(all_optimizers().make(entry.name)->capabilities()));
+    list.append(optimizer);
   }
   return list;
 }

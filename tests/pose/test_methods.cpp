@@ -134,7 +134,7 @@ TEST_CASE("flat meshes, single triangles, parts far apart and huge numbers", "[p
   const Mesh huge = moved(bracket(), Rotation(), 1e120), tiny = moved(bracket(), Rotation(), 1e-120);
   for (const std::string& name : names()) {
     INFO(name);
-    for (const Mesh* mesh : {&triangle, &apart, &flat, &huge, &tiny}) {
+    for (const Mesh* mesh : std::initializer_list<const Mesh*>{&triangle, &apart, &flat, &huge, &tiny}) {
       const pose::Pose found = pose_of(name, *mesh);
       CHECK(found.rotation.matrix().allFinite());
       CHECK(found.centre.allFinite());

@@ -61,7 +61,7 @@ def test_shaded():
 @pytest.mark.parametrize(
     "function, keywords, text",
     [
-        ("render", {"size": 0}, "size"),
+        ("render", {"size": 0}, "1 to 16384 pixels"),
         ("render", {"direction": (0, 0, 0)}, "zero or not finite"),
         ("render", {"direction": (0, math.nan, 0)}, "zero or not finite"),
         ("render", {"direction": (1, 0)}, "three numbers"),

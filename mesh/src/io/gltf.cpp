@@ -338,8 +338,8 @@ class Scene {
           begin_of.try_emplace(position->second, static_cast<std::uint32_t>(soup_.vertices.size()));
       if (is_new) {
         soup_.vertices.resize(soup_.vertices.size() + points.size());
-        points.for_each([&](std::size_t i, const std::array<double, 4>& x) {
-          soup_.vertices[begin->second + i] = to_world * Vector3(x[0], x[1], x[2]);
+        points.for_each([&, first = begin->second](std::size_t i, const std::array<double, 4>& x) {
+          soup_.vertices[first + i] = to_world * Vector3(x[0], x[1], x[2]);
         });
       }
       append_triangles(primitive, begin->second, points.size());

@@ -9,25 +9,19 @@ PerCut<double> Bounder::raise(Cell& cell, double enough) const {
   const Corners corners(cell.box);
   CornerGame game;
   for (int k = 0; k < 3; ++k)
-    for (int j = 0; j < cell.bundles[k].size + cell.has_local; ++j) {
-      const Minorant m = minorant(cell, k, j);
-      game.add(k, corners.along(k, m.slope) + m.offset);
-    }
+    for (int j = 0; j < cell.bundles[k].size; ++j) game.add(k, corners.along(k, slope(cell, k, j)));
   const Strategies strategies = solve(game, enough);
 
   Eigen::Matrix3d mixture = Eigen::Matrix3d::Zero();
-  double offset = 0;
   for (int k = 0; k < 3; ++k)
     for (int j = 0; j < game.size[k]; ++j) {
       const double weight = strategies.weight[k][j];
       if (weight == 0) continue;
-      const Minorant m = minorant(cell, k, j);
-      mixture.row(k) += weight * m.slope.transpose();
-      offset += weight * m.offset;
+      mixture.row(k) += weight * slope(cell, k, j).transpose();
     }
   Array8 values = Array8::Zero();
   for (int k = 0; k < 3; ++k) values += corners.along(k, mixture.row(k));
-  cell.bound = std::max(cell.bound, box_bound(mixture, values, cell.box) + offset);
+  cell.bound = std::max(cell.bound, box_bound(mixture, values, cell.box));
   if (!(cell.bound >= enough)) describe(cell, corners, strategies, values);
   return strategies.weight;
 }
@@ -38,10 +32,8 @@ void Bounder::describe(Cell& cell, const Corners& corners, const Strategies& str
   cell.model = 0;
   for (int k = 0; k < 3; ++k) {
     double greatest = -std::numeric_limits<double>::infinity();
-    for (int j = 0; j < cell.bundles[k].size + cell.has_local; ++j) {
-      const Minorant m = minorant(cell, k, j);
-      greatest = std::max(greatest, m.slope.dot(low.matrix().row(k)) + m.offset);
-    }
+    for (int j = 0; j < cell.bundles[k].size; ++j)
+      greatest = std::max(greatest, slope(cell, k, j).dot(low.matrix().row(k)));
     cell.model += greatest;
   }
 

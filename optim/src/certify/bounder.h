@@ -16,13 +16,8 @@ class Bounder {
   /// cuts to the front.
   PerCut<double> raise(Cell& cell, double enough) const;
 
-  /// A minorant in the cell's bundle of axis k, or its local one, which counts as the last.
-  Minorant minorant(const Cell& cell, int k, int j) const {
-    const Cell::Bundle& bundle = cell.bundles[k];
-    return j < bundle.size ? Minorant{table_[bundle.cuts[j]], 0} : cell.local[k];
-  }
-
  private:
+  const Eigen::Vector3d& slope(const Cell& cell, int k, int j) const { return table_[cell.bundles[k].cuts[j]]; }
   void describe(Cell& cell, const Corners& corners, const Strategies& strategies, const Array8& values) const;
 
   const CutTable& table_;

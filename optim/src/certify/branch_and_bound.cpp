@@ -20,9 +20,10 @@ constexpr int kRetries = 3;                              // times new cuts may b
 constexpr std::uint64_t kCellsBeforeBalls = 100;
 constexpr std::uint64_t kGeneratorsPerCell = 100;  // looked at for a ball in about the time of a cell, or less
 
-constexpr std::uint64_t kCellsBeforeMinorants = 20'000;  // by then the incumbent tells how flat it is
-// What minorants on the sphere cost, in cells.
-constexpr double kManyCells = 3e6, kCellsPerGenerator = 20;
+constexpr std::uint64_t kCellsBeforeFloors = 5000;  // by then the incumbent tells how flat it is
+constexpr double kProofMargin = 4e-12;                // floors are lowered by that for those who sum in another order
+// What floors cost, in cells.
+constexpr double kManyCells = 1e5, kCellsPerGenerator = 20;
 
 /// Neighbouring numbers between which the merit, which falls as values grow, falls to `target`.
 struct Passage {
@@ -72,7 +73,8 @@ CertifyResult BranchAndBound::run() {
       break;
     }
     update_balls();
-    update_minorants();
+    update_floors();
+    if (floors_) floors_->update();
     tbb::parallel_for(std::size_t{0}, round_.size(), [this](std::size_t i) { expand(round_[i]); });
     for (Slot& slot : round_) merge(slot);
     report();
@@ -81,6 +83,7 @@ CertifyResult BranchAndBound::run() {
   result_.incumbent = evaluator_.incumbent();
   result_.closed = evaluator_.has_incumbent() && (heap_.empty() || facts_.floor >= cutoff_);
   result_.largest_heap = heap_.largest();
+  if (floors_) result_.floor_triangles = floors_->triangles();
   if (proof_) settle_open_cells();
   return std::move(result_);
 }
@@ -104,9 +107,9 @@ void BranchAndBound::take_round() {
         continue;
       }
       cell.bound = facts_.floor;  // the bound may be that of a larger cell: the proof needs weights for this one
-      const PerCut<double> weight = raise(cell);
+      const Reason reason = raise(cell);
       if (cell.bound >= enough_) {
-        settle(cell, weight);
+        settle(cell, reason);
         continue;
       }
     }
@@ -185,21 +188,11 @@ bool BranchAndBound::is_flat() const {
   return cells > std::max(kManyCells, kCellsPerGenerator * static_cast<double>(generators_.size()));
 }
 
-void BranchAndBound::update_minorants() {
-  if (flatness_is_known_ || !options_.minorants || proof_ || generators_.size() == 0 ||
-      result_.cells < kCellsBeforeMinorants)
-    return;
+void BranchAndBound::update_floors() {
+  if (flatness_is_known_ || !options_.minorants || generators_.size() == 0 || result_.cells < kCellsBeforeFloors) return;
   flatness_is_known_ = true;
   if (!is_flat()) return;
-  // Finer triangles for a smaller gap; three axes may each lose the tolerance.
-  const double wanted = evaluator_.incumbent().value - cutoff_;
-  result_.minorant_levels = std::clamp(static_cast<int>(std::lround(2 - std::log10(3 * wanted))), 5, 8);
-  try {
-    minorants_ = std::make_unique<SphereMinorants>(generators_, result_.minorant_levels, 0.2 * wanted,
-                                                   [this] { return stopped(); });
-  } catch (const SphereMinorants::Stopped&) {
-    result_.minorant_levels = 0;
-  }
+  floors_ = std::make_unique<SupportFloor>(generators_, proof_ ? kProofMargin : 0, [this] { return stopped(); });
 }
 
 void BranchAndBound::expand(Slot& slot) const {
@@ -208,7 +201,7 @@ void BranchAndBound::expand(Slot& slot) const {
   if (slot.cuts) {
     for (std::uint32_t k = 0; k < 3; ++k) slot.cell.bundles[k].add(*slot.cuts + k, options_.bundle);
     const double before = slot.cell.bound;
-    slot.weight = bounder_.raise(slot.cell, enough_);
+    slot.reason.weight = bounder_.raise(slot.cell, enough_);
     if (slot.cell.bound >= enough_) {
       slot.state = Slot::State::kDone;
       return;
@@ -237,41 +230,26 @@ void BranchAndBound::halve(Slot& slot) const {
     } else if (balls_.hold(part.cell.box)) {
       part.state = Part::State::kInBall;
     } else {
-      part.weight = raise(part.cell);
+      part.reason = raise(part.cell);
       if (part.cell.bound >= enough_) part.state = Part::State::kDone;
     }
   }
 }
 
-PerCut<double> BranchAndBound::raise(Cell& cell) const {
-  const PerCut<double> weight = bounder_.raise(cell, enough_);
-  if (minorants_ && cell.bound < enough_) sharpen(cell);
-  return weight;
-}
-
-/// Replaces the cell's local minorants by those of the caps its axes sweep, if that raises its bound.
-void BranchAndBound::sharpen(Cell& cell) const {
+BranchAndBound::Reason BranchAndBound::raise(Cell& cell) const {
+  Reason reason = {.weight = bounder_.raise(cell, enough_)};
+  if (!floors_ || cell.bound >= enough_) return reason;
   const Corners corners(cell.box);
   const Rotation middle = rotation_from_rodrigues(cell.box.centre());
-  Cell sharper = cell;
-  sharper.has_local = true;
-  for (int k = 0; k < 3; ++k) {
-    const Eigen::Vector3d axis = middle.axis(k);
-    Eigen::Matrix3d form = Eigen::Matrix3d::Zero();
-    form.row(k) = axis.transpose();
-    const double cosine = box_bound(form, corners.along(k, axis), cell.box) - kBoxRounding;
-    if (cosine < 0.7) return;
-    const auto minorant = minorants_->on_cap(axis, std::acos(cosine) * (1 + 1e-9));
-    if (!minorant) return;
-    sharper.local[k] = *minorant;
-  }
-  bounder_.raise(sharper, enough_);
-  if (sharper.bound > cell.bound) cell = sharper;
+  const auto sweep = [&](int axis) { return Sweep(cell.box, corners, middle, axis); };
+  reason.floors = floors_->prove({sweep(0), sweep(1), sweep(2)}, enough_);
+  if (reason.floors) cell.bound = enough_;
+  return reason;
 }
 
 void BranchAndBound::merge(Slot& slot) {
   if (slot.state == Slot::State::kAgain) return heap_.push(slot.cell);
-  if (slot.state == Slot::State::kDone) return settle(slot.cell, slot.weight);
+  if (slot.state == Slot::State::kDone) return settle(slot.cell, slot.reason);
   const std::uint32_t node = proof_ ? proof_->halve(slot.cell.node, slot.axis) : 0;
   for (std::uint32_t side = 0; side < 2; ++side) {
     Part& part = slot.parts[side];
@@ -282,15 +260,17 @@ void BranchAndBound::merge(Slot& slot) {
     }
     ++result_.cells;
     if (part.state == Part::State::kOpen) heap_.push(part.cell);
-    else if (part.state == Part::State::kDone) settle(part.cell, part.weight);
+    else if (part.state == Part::State::kDone) settle(part.cell, part.reason);
     else ++result_.leaves;
   }
 }
 
-void BranchAndBound::settle(Cell& cell, const PerCut<double>& weight) {
+void BranchAndBound::settle(Cell& cell, const Reason& reason) {
   ++result_.leaves;
   least_settled_ = std::min(least_settled_, cell.bound);
-  if (proof_) proof_->set_leaf(cell.node, cell.bundles, weight);
+  if (!proof_) return;
+  if (reason.floors) proof_->set_floor_leaf(cell.node, *reason.floors);
+  else proof_->set_leaf(cell.node, cell.bundles, reason.weight);
 }
 
 /// What a run that was stopped leaves open become leaves too, of the proof of a lesser bound.
@@ -300,8 +280,9 @@ void BranchAndBound::settle_open_cells() {
     Cell cell = heap_.pop();
     cell.bound = -std::numeric_limits<double>::infinity();  // that of these cuts on this cell counts, nothing inherited
     if (cell.bundles[0].size == 0) return;                  // not even the first cuts were taken
+    const std::array<Cell::Bundle, 3> bundles = cell.bundles;  // raise() may reorder them
     const PerCut<double> weight = bounder_.raise(cell, enough_);
-    proof_->set_leaf(cell.node, cell.bundles, weight);
+    proof_->set_leaf(cell.node, bundles, weight);
     least = std::min(least, cell.bound);
   }
   proof_->set_bound(least - allowance_);

@@ -9,7 +9,7 @@
 #include "certify/cell_heap.h"
 #include "certify/kink_ball.h"
 #include "certify/proof_tree.h"
-#include "certify/sphere_minorants.h"
+#include "certify/support_floor.h"
 #include "rectilin/optim/certify.h"
 #include "rectilin/optim/evaluator.h"
 
@@ -34,12 +34,18 @@ class BranchAndBound {
   CertifyResult run();
 
  private:
+  /// What proves a cell's bound, once that is enough: cuts with these weights or, if there are some, floors.
+  struct Reason {
+    PerCut<double> weight = {};
+    std::optional<std::array<double, 3>> floors = {};
+  };
+
   /// A half of a cell.
   struct Part {
     enum class State { kOpen, kDone, kOutside, kInBall };
     State state = State::kOpen;
     Cell cell;
-    PerCut<double> weight;  // that prove the bound, if done
+    Reason reason;  // if done
   };
 
   /// A cell of the round, and what becomes of it.
@@ -48,7 +54,7 @@ class BranchAndBound {
     State state = State::kAgain;
     Cell cell;
     std::optional<std::uint32_t> cuts;  // the first of the three new ones, if it asked for some
-    PerCut<double> weight;
+    Reason reason;
     int axis = 0;
     std::array<Part, 2> parts;
   };
@@ -60,13 +66,12 @@ class BranchAndBound {
   void update_cutoff();
   void update_balls();
   bool is_flat() const;
-  void update_minorants();
+  void update_floors();
   void expand(Slot& slot) const;
   void halve(Slot& slot) const;
-  PerCut<double> raise(Cell& cell) const;
-  void sharpen(Cell& cell) const;
+  Reason raise(Cell& cell) const;
   void merge(Slot& slot);
-  void settle(Cell& cell, const PerCut<double>& weight);
+  void settle(Cell& cell, const Reason& reason);
   void settle_open_cells();
   void report();
 
@@ -84,7 +89,7 @@ class BranchAndBound {
   Balls balls_;
   bool balls_are_current_ = false;
   std::uint64_t cells_at_balls_ = 0;  // when they were last made
-  std::unique_ptr<const SphereMinorants> minorants_;
+  std::unique_ptr<SupportFloor> floors_;
   bool flatness_is_known_ = false;
   Random jitter_{1};
 

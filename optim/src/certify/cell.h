@@ -9,12 +9,6 @@
 
 namespace rectilin::bounding {
 
-/// A linear minorant of h, on some set of unit vectors: h(u) >= slope . u + offset.
-struct Minorant {
-  Eigen::Vector3d slope = Eigen::Vector3d::Zero();
-  double offset = 0;
-};
-
 /// Rows of all cuts taken, in the order they were. A row serves any axis: it is a minorant of h everywhere.
 using CutTable = std::vector<Eigen::Vector3d>;
 
@@ -37,10 +31,6 @@ struct Cell {
   Box box;
   double bound = 0;  ///< the objective is nowhere less on the box, but for rounding
   std::array<Bundle, 3> bundles;
-
-  /// Minorants that hold on the caps this box's axes sweep (see sphere_minorants.h), so on its parts, too.
-  bool has_local = false;
-  std::array<Minorant, 3> local;
 
   /// The model is the sum over the axes of the greatest of their minorants. Where the corners' mixture would put
   /// the minimum of the model, and its value there: minus infinity until the cell has been bounded.

@@ -24,10 +24,11 @@ Json to_json(const Certificate::Leaf& leaf) {
 }  // namespace
 
 Json to_json(const Certificate& certificate, const std::string& mesh) {
-  Json rotation = Json::array(), directions = Json::array(), leaves = Json::array();
+  Json rotation = Json::array(), directions = Json::array(), leaves = Json::array(), floors = Json::array();
   for (int k = 0; k < 3; ++k) rotation.push_back(to_json(certificate.rotation.axis(k)));
   for (const Eigen::Vector3d& u : certificate.directions) directions.push_back(to_json(u));
   for (const Certificate::Leaf& leaf : certificate.leaves) leaves.push_back(to_json(leaf));
+  for (const std::array<double, 3>& f : certificate.floors) floors.push_back({f[0], f[1], f[2]});
   return {{"format", "rectilin certificate"},
           {"version", 1},
           {"mesh", mesh},
@@ -36,7 +37,8 @@ Json to_json(const Certificate& certificate, const std::string& mesh) {
           {"lower", certificate.lower},
           {"tree", certificate.tree},
           {"directions", std::move(directions)},
-          {"leaves", std::move(leaves)}};
+          {"leaves", std::move(leaves)},
+          {"floors", std::move(floors)}};
 }
 
 }  // namespace rectilin

@@ -1,14 +1,12 @@
 // Sums over the faces that matter in a small part of the sphere.
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
+#include "certify/generator_kernels.h"
 #include "rectilin/optim/objective.h"
 
 namespace rectilin::bounding {
-
-using Triangle3 = std::array<Eigen::Vector3d, 3>;  ///< corners of a spherical triangle, unit vectors
 
 /// Vectors v_i whose great circles u . v_i = 0 may meet some region of the sphere, as a structure of arrays,
 /// padded with zeros. The other faces have one sign all over the region: their part of h is linear.
@@ -26,10 +24,13 @@ class GeneratorList {
   /// the signed sum of the others.
   Eigen::Vector3d split(const Triangle3& corners, GeneratorList& active) const;
 
+  /// A copy that takes no more room than it needs.
+  GeneratorList compact() const;
+
  private:
+  GeneratorSpan span() const;
   void make_room(std::size_t size);
 
-  static constexpr std::size_t kLanes = 8;
   std::vector<double> x_, y_, z_;
   std::size_t size_ = 0;
 };

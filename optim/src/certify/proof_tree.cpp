@@ -17,6 +17,11 @@ void ProofTree::set_leaf(std::uint32_t node, const std::array<Cell::Bundle, 3>& 
       if (weight[k][j] > 0) leaf.axes[k].push_back({bundles[k].cuts[j], weight[k][j]});
 }
 
+void ProofTree::set_floor_leaf(std::uint32_t node, const std::array<double, 3>& floors) {
+  nodes_[node] = {'h', static_cast<std::uint32_t>(floors_.size())};
+  floors_.push_back(floors);
+}
+
 void ProofTree::add_cuts(const Rotation& rotation) {
   for (int k = 0; k < 3; ++k) directions_.push_back(rotation.axis(k));
 }
@@ -41,6 +46,8 @@ Certificate ProofTree::certificate() const {
           }
           term.direction = at;
         }
+    } else if (node.kind == 'h') {
+      result.floors.push_back(floors_[node.next]);
     } else if (node.kind != 'o') {
       open.push_back(node.next + 1);
       open.push_back(node.next);

@@ -20,6 +20,9 @@ class ProofTree {
   /// `weight` are those of the cuts in the cell's bundles, as they were when it was bounded.
   void set_leaf(std::uint32_t node, const std::array<Cell::Bundle, 3>& bundles, const PerCut<double>& weight);
 
+  /// With floors of h, one an axis, as SupportFloor proves them.
+  void set_floor_leaf(std::uint32_t node, const std::array<double, 3>& floors);
+
   /// Remembers the directions of the three cuts that a rotation gave, in the order of the cut table.
   void add_cuts(const Rotation& rotation);
 
@@ -33,11 +36,12 @@ class ProofTree {
  private:
   struct Node {
     char kind = '?';
-    std::uint32_t next = 0;  // first child or leaf
+    std::uint32_t next = 0;  // first child, leaf or floors
   };
   double bound_ = -std::numeric_limits<double>::infinity();
   std::vector<Node> nodes_ = {Node()};
   std::vector<Certificate::Leaf> leaves_;  // directions counted as in the cut table
+  std::vector<std::array<double, 3>> floors_;
   std::vector<Eigen::Vector3d> directions_;
 };
 

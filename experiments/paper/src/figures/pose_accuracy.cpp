@@ -72,22 +72,22 @@ struct Accuracy {
   };
 
   Outcome measure(const std::string& source, std::size_t index, const std::string& group,
-                  const std::vector<pose::PoseMethod>& methods, std::uint64_t seed) const {
+                  const std::vector<pose::PoseMethod>& compared, std::uint64_t seed) const {
     Outcome outcome;
     const Mesh given = load_mesh(source).mesh;
     double roundest = kRound;
     for (int k = 0; k < 3; ++k)
       if (const double found = pose::unroundness(given, Vector3::Unit(k)); found < roundest)
         roundest = found, outcome.round_axis = k;
-    outcome.poses.resize(methods.size());
-    outcome.chosen.resize(methods.size());
+    outcome.poses.resize(compared.size());
+    outcome.chosen.resize(compared.size());
     Random random = Random(seed).fork(index);
     for (int turn = 0; turn < turns; ++turn) {
       const Rotation turned = random_rotation(random);
       Mesh mesh = given;
       for (Vector3& v : mesh.vertices) v = turned.matrix() * v;
-      for (std::size_t m = 0; m < methods.size(); ++m) {
-        const pose::Pose found = methods[m](mesh);
+      for (std::size_t m = 0; m < compared.size(); ++m) {
+        const pose::Pose found = compared[m](mesh);
         ScoredPose scored;
         scored.model = index;
         scored.group = group;

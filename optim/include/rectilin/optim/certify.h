@@ -63,7 +63,7 @@ struct CertifyResult {
   std::uint64_t leaves = 0;             ///< boxes that needed no halving
   std::size_t largest_heap = 0;         ///< boxes open at once, at most
   double ball_angle = 0;                ///< radians round the incumbent that needed no boxes
-  int minorant_levels = 0;              ///< of the subdivided sphere; 0: not built
+  std::size_t floor_triangles = 0;      ///< of the sphere, over which h was bounded
   std::vector<Step> trajectory;         ///< one step for each change of value or lower
   std::vector<ActiveGenerator> active;  ///< where polishing ended, three independent ones if there are
   std::vector<Optimum> optima;          ///< if asked for, best first

@@ -1,0 +1,217 @@
+#include "certify/support_floor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace rectilin::bounding {
+namespace {
+
+constexpr int kFirstLevel = 3;             // whose triangles are bounded: edges of 0.2 radians
+constexpr int kFinestLevel = 20;           // edges of 1e-6 radians
+constexpr double kStartEdge = 1, kEndEdge = 0.03;  // of the triangles that cover a sweep, in units of its radius
+constexpr int kMostDivisions = 400;                // of triangles for one box
+constexpr std::size_t kMostBlocks = 1'000'000;
+constexpr double kRounding = 0x1p-44;  // of everything but the sums over faces, relative to S
+constexpr double kMostBytes = 1e8;     // for lists of faces
+
+double edge_of(int level) { return std::numbers::pi / 2 / (1 << level); }
+
+int level_of_edge(double edge) {
+  int level = kFirstLevel;
+  while (level < kFinestLevel && edge_of(level) > edge) ++level;
+  return level;
+}
+
+/// Whichever thread is first, all get its object; says whether it was this one.
+template <class T>
+std::pair<T*, bool> install(std::atomic<T*>& place, std::unique_ptr<T> made) {
+  T* before = nullptr;
+  if (place.compare_exchange_strong(before, made.get())) return {made.release(), true};
+  return {before, false};
+}
+
+}  // namespace
+
+/// A triangle of the subdivision.
+struct SupportFloor::Node {
+  /// Those whose great circles may meet it, and the gradient of the others.
+  struct Faces {
+    GeneratorList list;
+    Eigen::Vector3d settled = Eigen::Vector3d::Zero();
+  };
+
+  Triangle3 corners;
+  int level = 0;
+  const Node* above = nullptr;
+  Eigen::Vector3d centre;
+  double value = std::numeric_limits<double>::infinity();  // of h at the centre
+  mutable double bound = 0;                                // h is nowhere less
+  mutable std::atomic<Block*> parts = nullptr;
+  mutable std::atomic<Faces*> faces = nullptr;
+
+  ~Node() {
+    delete parts.load();
+    delete faces.load();
+  }
+};
+
+SupportFloor::SupportFloor(const Generators& generators, double margin, std::function<bool()> stop)
+    : stop_(std::move(stop)) {
+  double total = 0;
+  for (std::size_t i = 0; i < generators.size(); ++i) total += generators[i].norm();
+  // A sum of K terms, in whatever order, errs by at most K roundoffs of the sum of the lengths.
+  rounding_ = total * (static_cast<double>(generators.size()) * 0x1p-52 + kRounding) + margin;
+  // A triangle of edge e meets 3 e / 2 pi of all great circles.
+  kept_levels_ = std::clamp(std::ilogb(kMostBytes / (3 * 24 * static_cast<double>(generators.size())) + 1), 0, 5);
+
+  const GeneratorList all(generators);
+  octants_ = std::make_unique<Block>();
+  for (std::size_t i = 0; i < 4; ++i) {
+    Node& octant = (*octants_)[i];
+    octant.corners = upper_octants()[i];
+    auto faces = std::make_unique<Node::Faces>();
+    faces->settled = all.split(octant.corners, faces->list);
+    octant.faces = faces.release();
+  }
+}
+
+SupportFloor::~SupportFloor() = default;
+
+/// Faces that may be unsettled in the triangle, and the gradient of the others: the triangle's own or, below the levels
+/// whose lists are kept, those of one that it is a part of.
+const GeneratorList& SupportFloor::faces_over(const Node& node, Eigen::Vector3d& settled) const {
+  if (node.level > kept_levels_) return faces_over(*node.above, settled);
+  Node::Faces* faces = node.faces.load();
+  if (!faces) {
+    auto made = std::make_unique<Node::Faces>();
+    Eigen::Vector3d above;
+    const GeneratorList& list = faces_over(*node.above, above);
+    thread_local GeneratorList own;
+    made->settled = above + list.split(node.corners, own);
+    made->list = own.compact();
+    faces = install(node.faces, std::move(made)).first;
+  }
+  settled = faces->settled;
+  return faces->list;
+}
+
+/// Divides a triangle if it is not yet. Null if no more may be.
+const SupportFloor::Block* SupportFloor::parts_of(const Node& node) const {
+  if (const Block* known = node.parts.load()) return known;
+  if (full_ || node.level == kFinestLevel || stop_()) return nullptr;
+  auto made = std::make_unique<Block>();
+  const std::array<Triangle3, 4> corners = quarters(node.corners);
+  for (std::size_t i = 0; i < 4; ++i) {
+    Node& part = (*made)[i];
+    part.corners = corners[i];
+    part.level = node.level + 1;
+    part.above = &node;
+    part.centre = centre_of(corners[i]);
+    part.bound = node.bound;
+  }
+  if (node.level + 1 >= kFirstLevel) {
+    thread_local GeneratorList own;
+    Eigen::Vector3d settled;
+    const GeneratorList* faces = &faces_over(node, settled);
+    if (node.level > kept_levels_) {
+      settled += faces->split(node.corners, own);
+      faces = &own;
+    }
+    for (Node& part : *made) {
+      const Eigen::Vector3d gradient = settled + faces->cut(part.centre);  // a cut is below h: so is its least value
+      part.value = gradient.dot(part.centre);
+      part.bound = std::max(node.bound, least_linear(gradient, part.corners) - rounding_);
+    }
+  }
+  const auto [parts, mine] = install(node.parts, std::move(made));
+  if (mine) blocks_.push_back(&node);
+  return parts;
+}
+
+void SupportFloor::update() {
+  for (; known_ < blocks_.size(); ++known_)
+    for (const Node* node = blocks_[known_]; node; node = node->above) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const Node& part : *node->parts.load()) least = std::min(least, part.bound);
+      if (least <= node->bound) break;
+      node->bound = least;
+    }
+  full_ = blocks_.size() > kMostBlocks;
+}
+
+/// The triangles that cover a sweep, least bound first.
+class SupportFloor::Front {
+ public:
+  void start(const SupportFloor& floor, const Sweep& sweep) {
+    sweep_ = &sweep;
+    entries_.clear();
+    value_ = std::numeric_limits<double>::infinity();
+    begin_ = level_of_edge(kStartEdge * sweep.radius());
+    end_ = level_of_edge(kEndEdge * sweep.radius());
+    for (const Node& octant : *floor.octants_)
+      for (const double mirror : {1.0, -1.0})  // h is even
+        if (sweep.may_meet(octant.corners, mirror)) add(floor, octant, mirror);
+  }
+
+  double bound() const { return entries_.front().bound; }
+  int level() const { return entries_.front().node->level; }
+  double value() const { return value_; }
+
+  /// Divides the triangle of least bound; false if that is not to be.
+  bool divide(const SupportFloor& floor) {
+    const Entry entry = entries_.front();
+    if (entry.node->level >= end_) return false;
+    const Block* parts = floor.parts_of(*entry.node);
+    if (!parts) return false;
+    std::ranges::pop_heap(entries_, std::ranges::greater(), &Entry::bound);
+    entries_.pop_back();
+    for (const Node& part : *parts)
+      if (sweep_->may_meet(part.corners, entry.mirror)) push(part, entry.mirror);
+    return !entries_.empty();
+  }
+
+ private:
+  struct Entry {
+    double bound;
+    const Node* node;
+    double mirror;
+  };
+
+  void push(const Node& node, double mirror) {
+    if (node.value < value_ && sweep_->holds(mirror * node.centre)) value_ = node.value;
+    entries_.push_back({node.bound, &node, mirror});
+    std::ranges::push_heap(entries_, std::ranges::greater(), &Entry::bound);
+  }
+
+  void add(const SupportFloor& floor, const Node& node, double mirror) {
+    const Block* parts = node.level < begin_ ? floor.parts_of(node) : nullptr;
+    if (!parts) return push(node, mirror);
+    for (const Node& part : *parts)
+      if (sweep_->may_meet(part.corners, mirror)) add(floor, part, mirror);
+  }
+
+  const Sweep* sweep_ = nullptr;
+  std::vector<Entry> entries_;
+  double value_ = 0;  // least of h at centres in the sweep
+  int begin_ = 0, end_ = 0;
+};
+
+std::optional<std::array<double, 3>> SupportFloor::prove(const std::array<Sweep, 3>& sweeps, double enough) const {
+  for (const Sweep& sweep : sweeps)
+    if (!std::isfinite(sweep.radius())) return std::nullopt;
+  thread_local std::array<Front, 3> fronts;
+  for (int k = 0; k < 3; ++k) fronts[k].start(*this, sweeps[k]);
+  for (int division = 0; division < kMostDivisions; ++division) {
+    if (fronts[0].bound() + fronts[1].bound() + fronts[2].bound() >= enough)
+      return std::array<double, 3>{fronts[0].bound(), fronts[1].bound(), fronts[2].bound()};
+    if (fronts[0].value() + fronts[1].value() + fronts[2].value() < enough) return std::nullopt;
+    Front& coarsest = *std::ranges::min_element(fronts, {}, &Front::level);
+    if (!coarsest.divide(*this)) { return std::nullopt;}
+  }
+  return std::nullopt;
+}
+
+}  // namespace rectilin::bounding
