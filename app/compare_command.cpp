@@ -50,12 +50,6 @@ std::vector<std::string> default_optimizers(const Registry& registry, bool all) 
   return present;
 }
 
-std::string time_left(double seconds) {
-  if (!std::isfinite(seconds)) return "";
-  const long whole = std::lround(seconds);
-  return whole < 100 ? std::to_string(whole) + " s left: " : std::to_string((whole + 30) / 60) + " min left: ";
-}
-
 int compare(CompareOptions options, const std::string& command_line) {
   const Registry& registry = all_optimizers();
   Plan& plan = options.plan;

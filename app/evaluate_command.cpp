@@ -20,12 +20,6 @@ struct EvaluateOptions {
   int threads = 0;
 };
 
-std::string time_left(double seconds) {
-  if (!std::isfinite(seconds)) return "";
-  const long whole = std::lround(seconds);
-  return whole < 100 ? std::to_string(whole) + " s left: " : std::to_string((whole + 30) / 60) + " min left: ";
-}
-
 void print_scores(const evaluation::Evaluation& result) {
   const Table table({{"", 16}, {"NN", 5}, {"FT", 5}, {"ST", 5}, {"E", 5}, {"DCG", 5}, {"macro DCG", 9}, {"bytes", 6}});
   std::cout << table.header() << '\n';

@@ -114,7 +114,8 @@ void add_experiment_command(CLI::App& app, int& status, int argc, const char* co
                       "experiments that take meshes; without, they make their own");
   command->add_option("-O,--out", options->out, "Folder for everything")->capture_default_str();
   command->add_option("-s,--seed", options->seed, "Seed of everything random")->check(seed())->capture_default_str();
-  command->add_option("-g,--gap", options->gap, "Width to which R is certified (default: 1e-6)")->check(width());
+  command->add_option("-g,--gap", options->gap, "Width to which R is certified (default: 1e-6)")
+      ->check(width_of_interval());
   command->add_option("--classes", options->classes, "Classes of the models (.cla), for experiments that take them");
   command->add_flag("-q,--quick", options->quick, "Small: about a second for each experiment, and a gap of 1e-3");
   add_threads_option(*command, options->threads, "the answer is the same for any");

@@ -184,7 +184,8 @@ void add_measure_command(CLI::App& app, int& status) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->default_str(options->optimizer);
-  command->add_option("-g,--gap", options->gap, "Width to which certify encloses R (default: 1e-6)")->check(width());
+  command->add_option("-g,--gap", options->gap, "Width to which certify encloses R (default: 1e-6)")
+      ->check(width_of_interval());
   command
       ->add_option("-p,--proof", options->proof,
                    "File for a proof of the bounds, one mesh; 'rectilin verify' checks it")

@@ -26,7 +26,7 @@ CLI::Validator number_check(const std::string& what, Accepts accepts) {
 inline CLI::Validator positive_number() {
   return number_check<double>("a positive number", [](double x) { return std::isfinite(x) && x > 0; });
 }
-inline CLI::Validator width() {
+inline CLI::Validator width_of_interval() {
   return number_check<double>("a width from 0 to 10", [](double x) { return x >= 0 && x <= 10; });
 }
 inline CLI::Validator count() {

@@ -72,7 +72,7 @@ void add_suite_command(CLI::App& app, int& status) {
   command->add_option("suite", options->what, "A suite's name, or meshes of your own; none: the list of suites");
   command->add_option("-O,--out", options->out, "Folder for the problems as JSON; else their sources are printed");
   command->add_option("-g,--gap", options->gap, "Width to which optima are enclosed")
-      ->check(width())
+      ->check(width_of_interval())
       ->capture_default_str();
   command->add_option("--traces", options->traces, "Runs of another program, one JSON object a line");
   command->add_option("--into", options->into, "Folder of the comparison whose page is to show them");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <iostream>
@@ -71,6 +72,12 @@ std::string shell_word(const std::string& word) {
 }
 
 }  // namespace
+
+std::string time_left(double seconds) {
+  if (!std::isfinite(seconds)) return "";
+  const long whole = std::lround(seconds);
+  return whole < 100 ? std::to_string(whole) + " s left: " : std::to_string((whole + 30) / 60) + " min left: ";
+}
 
 Progress::Progress(std::size_t total) : total_(total), terminal_(isatty(STDERR_FILENO) != 0) {}
 

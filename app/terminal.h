@@ -13,6 +13,9 @@
 
 namespace rectilin::app {
 
+/// "12 s left: " or "3 min left: ", to begin a text of progress with; nothing if the number is not finite.
+std::string time_left(double seconds);
+
 /// A line that says how far things are, rewritten in place on standard error. Says nothing if standard error
 /// is not a terminal. Thread safe.
 class Progress {

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t kApplication = 0x7265637;  // marks an SQLite file as a store
-constexpr std::int64_t kVersion = 1;              // of the tables
+constexpr std::int64_t kTablesVersion = 1;        // of the tables
 
 constexpr const char* kTables = R"(
 CREATE TABLE meshes(
@@ -88,7 +88,7 @@ std::int64_t pragma(Database& database, const std::string& name) {
 
 void check_is_store(Database& database) {
   if (pragma(database, "application_id") != kApplication) throw std::runtime_error(database.name() + ": not a store");
-  if (pragma(database, "user_version") != kVersion)
+  if (pragma(database, "user_version") != kTablesVersion)
     throw std::runtime_error(database.name() + ": a store of another version of the program");
 }
 
@@ -164,7 +164,7 @@ Store::Store(const fs::path& file, const Task& task)
     Transaction transaction(database);
     database.execute(kTables);
     database.execute("PRAGMA application_id = " + std::to_string(kApplication) +
-                     "; PRAGMA user_version = " + std::to_string(kVersion));
+                     "; PRAGMA user_version = " + std::to_string(kTablesVersion));
     Statement insert(database, "INSERT INTO facts(key, value) VALUES(?1, ?2)");
     insert.bind(1, std::string_view("task")).bind(2, std::string_view(task.name)).run();
     insert.bind(1, std::string_view("settings")).bind(2, std::string_view(settings)).run();

@@ -10,7 +10,7 @@
 namespace rectilin::pose {
 namespace {
 
-constexpr double kEqual = 1e-9;
+constexpr double kEqualMoments = 1e-9;
 
 /// The part of a triangle's area, 0 to 1, where a linear function with these values at the corners is positive.
 double positive_part(std::array<double, 3> x) {
@@ -57,7 +57,7 @@ Axes resolve_axes(const Mesh& mesh, const Rotation& frame, AxisRule rule) {
   std::ranges::stable_sort(order, [&](int a, int b) { return moments[a] > moments[b]; });
   Axes axes;
   for (int k = 0; k < 2; ++k)
-    axes.resolved = axes.resolved && moments[order[k]] - moments[order[k + 1]] > kEqual * moments[order[0]];
+    axes.resolved = axes.resolved && moments[order[k]] - moments[order[k + 1]] > kEqualMoments * moments[order[0]];
   Eigen::Matrix3d rows;
   for (int k = 0; k < 3; ++k) rows.row(k) = frame.axis(order[k]).transpose();
   if (rows.determinant() < 0) rows.row(2) = -rows.row(2);
@@ -72,11 +72,11 @@ Axes resolve_axes(const Mesh& mesh, const Rotation& frame, AxisRule rule) {
   for (int k = 0; k < 3; ++k) halves[k] = imbalance(surface, axes.rotation.axis(k));
   int left = 2;  // the axis that follows from the others: that of the most equal halves, the last if in doubt
   for (int k = 1; k >= 0; --k)
-    if (std::abs(halves[k]) < std::abs(halves[left]) - kEqual) left = k;
+    if (std::abs(halves[k]) < std::abs(halves[left]) - kEqualMoments) left = k;
   for (int k = 0; k < 3; ++k) {
     if (k == left) continue;
-    axes.resolved = axes.resolved && std::abs(halves[k]) > kEqual;
-    if (halves[k] < -kEqual) rows.row(k) = -rows.row(k);
+    axes.resolved = axes.resolved && std::abs(halves[k]) > kEqualMoments;
+    if (halves[k] < -kEqualMoments) rows.row(k) = -rows.row(k);
   }
   if (rows.determinant() < 0) rows.row(left) = -rows.row(left);
   axes.rotation = Rotation::from_matrix(rows);

@@ -9,7 +9,7 @@ namespace {
 
 /// Eigenvalues nearer to each other than this, relative to the largest, do not tell their axes apart: rounding of the
 /// sums turns axes by about 1e-15 over the difference.
-constexpr double kEqual = 1e-9;
+constexpr double kEqualValues = 1e-9;
 
 }  // namespace
 
@@ -19,7 +19,8 @@ Pose principal_axes(const Eigen::Matrix3d& moments, const std::string& name) {
   for (int k = 0; k < 3; ++k) rows.row(k) = solver.eigenvectors().col(2 - k).transpose();
   Pose pose = single(name, frame_of(rows));
   const Eigen::Vector3d values = solver.eigenvalues().reverse();
-  const bool first = values[0] - values[1] <= kEqual * values[0], last = values[1] - values[2] <= kEqual * values[0];
+  const bool first = values[0] - values[1] <= kEqualValues * values[0],
+             last = values[1] - values[2] <= kEqualValues * values[0];
   pose.reason = "moments in the ratio 1 : " + std::to_string(values[1] / values[0]) + " : " +
                 std::to_string(std::max(values[2], 0.0) / values[0]);
   if (first && last) pose.uniqueness = Uniqueness::kNone;

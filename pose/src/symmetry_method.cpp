@@ -13,7 +13,7 @@
 namespace rectilin::pose {
 namespace {
 
-constexpr double kRound = 0.05;  // see unroundness()
+constexpr double kRoundBody = 0.05;  // see unroundness()
 
 /// The principal axis about which the mesh is nearest to a body of revolution: all such bodies turn about one.
 std::pair<int, double> roundest_axis(const Surface& surface, const Mesh& hull, const Rotation& principal) {
@@ -45,7 +45,7 @@ Pose symmetry_pose(const Surface& given, const SymmetryOptions& options) {
   };
   const Rotation principal = pca_pose(surface).rotation;
   const auto [axis, unround] = roundest_axis(surface, hull, principal);
-  const bool round = unround < kRound;
+  const bool round = unround < kRoundBody;
   if (round) add("axis of revolution", principal.axis(axis), unround);
   for (const MirrorPlane& plane : mirror_planes(defect, static_cast<std::size_t>(options.planes)))
     add("mirror plane", plane.normal, plane.defect);
@@ -53,7 +53,7 @@ Pose symmetry_pose(const Surface& given, const SymmetryOptions& options) {
   char text[96];
   std::snprintf(text, sizeof text, "%s with a defect of %.4f", pose.chosen.c_str(), pose.candidates.front().score);
   pose.reason = text;
-  note_roundness(pose, given, convex_hull(given.mesh), kRound);
+  note_roundness(pose, given, convex_hull(given.mesh), kRoundBody);
   if (!round && pose.candidates.size() > 1) {
     const double margin = pose.candidates[1].score - pose.candidates[0].score;
     pose.confidence = margin / (margin + 0.1);

@@ -9,14 +9,14 @@ namespace rectilin::pose {
 namespace {
 
 /// Principal axes whose moments differ by less are too sensitive to rounding.
-constexpr double kDistinct = 1e-3;
+constexpr double kDistinctMoments = 1e-3;
 
 }  // namespace
 
 Rotation working_frame(const Surface& surface) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(surface.moments);
   const Eigen::Vector3d values = solver.eigenvalues();
-  const bool distinct = std::min(values[1] - values[0], values[2] - values[1]) > kDistinct * values[2];
+  const bool distinct = std::min(values[1] - values[0], values[2] - values[1]) > kDistinctMoments * values[2];
   const Rotation frame = distinct ? pca_pose(surface).rotation
                                   : rectilinear_pose(surface, {.gap = 1e-5, .cells = 20'000, .optima = false}).rotation;
   return resolve_axes(surface.mesh, frame, AxisRule::kDefinite).rotation;

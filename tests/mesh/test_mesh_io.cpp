@@ -15,6 +15,7 @@
 #include "rectilin/base/random.h"
 #include "rectilin/mesh/mesh_io.h"
 #include "support/catch.h"
+#include "support/surface.h"
 
 using namespace rectilin;
 using namespace std::string_literals;
@@ -35,15 +36,6 @@ std::string error(Reader read, const std::string& text) {
     return failure.what();
   }
   return "";
-}
-
-double area(const Mesh& mesh) {
-  double sum = 0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Vector3 &p = mesh.vertices[a], &q = mesh.vertices[b], &r = mesh.vertices[c];
-    sum += 0.5 * (q - p).cross(r - p).norm();
-  }
-  return sum;
 }
 
 // Numbers as bytes in either order.
@@ -99,21 +91,21 @@ struct TemporaryFolder {
 
 TEST_CASE("OFF: headers and the data they announce") {
   const std::string face = "3 0 1 2\n";
-  CHECK(area(off("OFF\n3 1 0\n" + kTriangle + face).mesh) == 0.5);
-  CHECK(area(off("OFF3 1 0\n" + kTriangle + face).mesh) == 0.5);  // as in ModelNet
-  CHECK(area(off("\n# note\nOFF # note\n\n3 1\n#\n" + kTriangle + face).mesh) == 0.5);
-  CHECK(area(off("\xEF\xBB\xBFOFF\r\n3 1 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0 1 2").mesh) == 0.5);
-  CHECK(area(off("OFF\r3 1 0\r0 0 0\r1 0 0\r0 1 0\r3 0 1 2\r").mesh) == 0.5);
-  CHECK(area(off("COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 255 0 0\n" + face).mesh) == 0.5);
-  CHECK(area(off("NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n" + face).mesh) == 0.5);
-  CHECK(area(off("STCN4nOFF\n3\n3 1 0\n0 0 0 1\n2 0 0 2\n0 3 0 3\n" + face).mesh) == 0.5);
+  CHECK(test::surface(off("OFF\n3 1 0\n" + kTriangle + face).mesh) == 0.5);
+  CHECK(test::surface(off("OFF3 1 0\n" + kTriangle + face).mesh) == 0.5);  // as in ModelNet
+  CHECK(test::surface(off("\n# note\nOFF # note\n\n3 1\n#\n" + kTriangle + face).mesh) == 0.5);
+  CHECK(test::surface(off("\xEF\xBB\xBFOFF\r\n3 1 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0 1 2").mesh) == 0.5);
+  CHECK(test::surface(off("OFF\r3 1 0\r0 0 0\r1 0 0\r0 1 0\r3 0 1 2\r").mesh) == 0.5);
+  CHECK(test::surface(off("COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 255 0 0\n" + face).mesh) == 0.5);
+  CHECK(test::surface(off("NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n" + face).mesh) == 0.5);
+  CHECK(test::surface(off("STCN4nOFF\n3\n3 1 0\n0 0 0 1\n2 0 0 2\n0 3 0 3\n" + face).mesh) == 0.5);
 }
 
 TEST_CASE("OFF: faces with colours, of many corners, over several lines, with more text after them") {
   const std::string square = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
-  CHECK(area(off(square + "4 0 1 2 3 0.5 0.5 0.5 1\n").mesh) == 1);
-  CHECK(area(off(square + "4 0 1 2 3  # red\n").mesh) == 1);
-  CHECK(area(off(square + "4 0\n1\n2\n3\n").mesh) == 1);
+  CHECK(test::surface(off(square + "4 0 1 2 3 0.5 0.5 0.5 1\n").mesh) == 1);
+  CHECK(test::surface(off(square + "4 0 1 2 3  # red\n").mesh) == 1);
+  CHECK(test::surface(off(square + "4 0\n1\n2\n3\n").mesh) == 1);
   const LoadedMesh loaded = off(square + "4 0 1 2 3\n<xml>\n");
   CHECK(loaded.mesh.triangles.size() == 2);
   CHECK(loaded.report.polygons == 1);
@@ -146,12 +138,12 @@ TEST_CASE("OBJ: what faces are made of") {
   for (const char* face : {"f 1 2 3", "f -3 -2 -1", "f 1/1 2/2 3/3", "f 1//7 2//7 3//7", "f 1/1/1 2/ 3//",
                            "f 1 2\\\n 3\n", "f 1 \\\r\n2 \\\r\n3\r\n", "  f\t1 2 3 # note"}) {
     CAPTURE(face);
-    CHECK(area(obj(vertices + face).mesh) == 0.5);
+    CHECK(test::surface(obj(vertices + face).mesh) == 0.5);
   }
-  CHECK(area(obj("f 1 2 3\n" + vertices).mesh) == 0.5);  // faces may come first
-  CHECK(area(obj("# f 1\nmtllib f.mtl\no f\nl 1 2\np 1\nvn 0 0 1\nvt 0 0\n" + vertices +
-                 "v 0 0 0 1 0 0\nusemtl f 1\ns off\ng f 9\nf 1 2 3")
-                 .mesh) == 0.5);
+  CHECK(test::surface(obj("f 1 2 3\n" + vertices).mesh) == 0.5);  // faces may come first
+  CHECK(test::surface(obj("# f 1\nmtllib f.mtl\no f\nl 1 2\np 1\nvn 0 0 1\nvt 0 0\n" + vertices +
+                          "v 0 0 0 1 0 0\nusemtl f 1\ns off\ng f 9\nf 1 2 3")
+                          .mesh) == 0.5);
 }
 
 TEST_CASE("OBJ: errors name the line") {
@@ -178,15 +170,15 @@ TEST_CASE("numbers keep all their digits, and may be written in any usual way") 
 
 TEST_CASE("PLY as text: all element orders, list types and property names") {
   const std::string head = "ply\nformat ascii 1.0\ncomment #1\nobj_info x\n";
-  CHECK(area(ply(head + kPlyVertices + kPlyFaces + "end_header\n" + kTriangle + "3 0 1 2\n").mesh) == 0.5);
-  CHECK(area(ply(head + kPlyFaces + kPlyVertices + "end_header\n3 0 1 2\n" + kTriangle).mesh) == 0.5);
-  CHECK(area(ply("ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float64 z\r\n"
-                 "property uint8 red\r\nproperty float64 y\r\nproperty float64 x\r\n"
-                 "element camera 1\r\nproperty list uint float focus\r\nelement nothing 7\r\n"
-                 "element face 1\r\nproperty list int float uv\r\n"
-                 "property list int32 uint16 vertex_index\r\nend_header\r\n"
-                 "0 255 0 0\r\n0 255 0 1\r\n0 255 1 0\r\n2 0.5 0.5\r\n1 0.5 3 0 1 2\r\n")
-                 .mesh) == 0.5);
+  CHECK(test::surface(ply(head + kPlyVertices + kPlyFaces + "end_header\n" + kTriangle + "3 0 1 2\n").mesh) == 0.5);
+  CHECK(test::surface(ply(head + kPlyFaces + kPlyVertices + "end_header\n3 0 1 2\n" + kTriangle).mesh) == 0.5);
+  CHECK(test::surface(ply("ply\r\nformat ascii 1.0\r\nelement vertex 3\r\nproperty float64 z\r\n"
+                          "property uint8 red\r\nproperty float64 y\r\nproperty float64 x\r\n"
+                          "element camera 1\r\nproperty list uint float focus\r\nelement nothing 7\r\n"
+                          "element face 1\r\nproperty list int float uv\r\n"
+                          "property list int32 uint16 vertex_index\r\nend_header\r\n"
+                          "0 255 0 0\r\n0 255 0 1\r\n0 255 1 0\r\n2 0.5 0.5\r\n1 0.5 3 0 1 2\r\n")
+                          .mesh) == 0.5);
 }
 
 TEST_CASE("PLY binary: both byte orders, every line ending of the header") {
@@ -209,7 +201,7 @@ TEST_CASE("PLY binary: both byte orders, every line ending of the header") {
       for (std::uint32_t i = 0; i < 4; ++i) text += raw(i, order);
       text += raw(1.0, order);
       const Mesh mesh = ply(text).mesh;
-      CHECK(area(mesh) == 6);
+      CHECK(test::surface(mesh) == 6);
       CHECK(mesh.vertices[2] == Vector3(2, 3, -7));
       CHECK_THAT(error(ply, text.substr(0, text.size() - 1)),
                  Catch::Matchers::Contains("the file ends within a value"));
@@ -306,7 +298,7 @@ TEST_CASE("what is odd but legal is kept or dropped, and counted") {
   CHECK(report.triangulated == 1);
   CHECK(loaded.mesh.vertices.size() == 5);
   CHECK(loaded.mesh.triangles.size() == 6);
-  CHECK(area(loaded.mesh) == 1.5);
+  CHECK(test::surface(loaded.mesh) == 1.5);
 }
 
 TEST_CASE("a mesh without area is refused, at any scale one with area is not") {
@@ -327,7 +319,7 @@ TEST_CASE("triangles of a planar polygon have its area") {
   SECTION("an arrow head, from every first corner") {
     std::vector<std::pair<double, double>> corners = {{0, 0}, {4, 2}, {0, 4}, {1, 2}};
     for (int turn = 0; turn < 4; ++turn) {
-      CHECK(area(obj(polygon(corners)).mesh) == 6);
+      CHECK(test::surface(obj(polygon(corners)).mesh) == 6);
       std::rotate(corners.begin(), corners.begin() + 1, corners.end());
     }
   }
@@ -336,25 +328,26 @@ TEST_CASE("triangles of a planar polygon have its area") {
     for (int i = 0; i < 20; ++i) corners.insert(corners.end(), {{i, 0}, {i + 0.5, 3}});
     corners.push_back({20, 0});
     const double expected = 20 + 20 * 1.5;  // the bar and the triangular teeth
-    CHECK(area(obj(polygon(corners)).mesh) == Approx(expected).epsilon(1e-12));
+    CHECK(test::surface(obj(polygon(corners)).mesh) == Approx(expected).epsilon(1e-12));
     std::reverse(corners.begin(), corners.end());
     std::string text = polygon(corners);
     Mesh mesh = obj(text).mesh;
-    CHECK(area(mesh) == Approx(expected).epsilon(1e-12));
+    CHECK(test::surface(mesh) == Approx(expected).epsilon(1e-12));
     CHECK(mesh.triangles.size() == corners.size() - 2);
     std::string tilted, face = text.substr(text.find('f'));
     for (const Vector3& v : mesh.vertices) {  // stretches areas by sqrt(1 + 1 + 4)
       tilted +=
           "v " + std::to_string(v.x()) + " " + std::to_string(v.y()) + " " + std::to_string(v.x() + 2 * v.y()) + "\n";
     }
-    CHECK(area(obj(tilted + face).mesh) == Approx(expected * std::sqrt(6)).epsilon(1e-12));
+    CHECK(test::surface(obj(tilted + face).mesh) == Approx(expected * std::sqrt(6)).epsilon(1e-12));
   }
   SECTION("a square with a square hole, joined by a channel of no width") {
-    CHECK(area(obj(polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}})).mesh) ==
+    CHECK(test::surface(
+              obj(polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}})).mesh) ==
           12);
   }
   SECTION("straight and repeated corners") {
-    CHECK(area(obj(polygon({{0, 0}, {1, 0}, {2, 0}, {2, 0}, {2, 2}, {1, 1}, {1, 1}, {0, 2}})).mesh) == 3);
+    CHECK(test::surface(obj(polygon({{0, 0}, {1, 0}, {2, 0}, {2, 0}, {2, 2}, {1, 1}, {1, 1}, {0, 2}})).mesh) == 3);
   }
 }
 
@@ -393,7 +386,7 @@ TEST_CASE("large polygons keep their areas") {
   for (const auto& corners : {circle, star, spiral}) {
     const Mesh mesh = obj(polygon(corners)).mesh;
     CHECK(mesh.triangles.size() == corners.size() - 2);
-    CHECK(area(mesh) == Approx(exact(corners)).epsilon(1e-6));
+    CHECK(test::surface(mesh) == Approx(exact(corners)).epsilon(1e-6));
   }
 }
 
@@ -431,10 +424,10 @@ TEST_CASE("the content decides the format, else the extension") {
   for (const std::string& bytes :
        {"OFF\n3 1 0\n" + kTriangle + "3 0 1 2\n", ascii_ply, "solid\n" + kFacet + "endsolid\n",
         binary_stl("solid", 1, {{0, 0, 0, 1, 0, 0, 0, 1, 0}})}) {
-    CHECK(area(read_mesh(folder.write("misnamed.obj", bytes)).mesh) == 0.5);
+    CHECK(test::surface(read_mesh(folder.write("misnamed.obj", bytes)).mesh) == 0.5);
   }
   const std::string wavefront = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-  CHECK(area(read_mesh(folder.write("named.OBJ", wavefront)).mesh) == 0.5);
+  CHECK(test::surface(read_mesh(folder.write("named.OBJ", wavefront)).mesh) == 0.5);
   CHECK_THROWS_WITH(read_mesh(folder.write("named.xyz", wavefront)),
                     Catch::Matchers::Contains("neither content nor name tell a known format"));
 }
@@ -446,7 +439,8 @@ TEST_CASE("files that cannot be read or written give one clear error") {
   CHECK_THROWS_WITH(read_mesh(folder.path / "none.off"), path("none.off") + ": no such file or directory");
   CHECK_THROWS_WITH(read_mesh(folder.write("empty.stl", "")), path("empty.stl") + ": the file is empty");
   const Mesh mesh = obj("v 0 0 0\nv 1 0 0\nv 0 1e39 0\nf 1 2 3\n").mesh;
-  CHECK_THROWS_WITH(write_mesh(folder.path / "none" / "a.off", mesh), path("none/a.off") + ": cannot be written: no such file or directory");
+  CHECK_THROWS_WITH(write_mesh(folder.path / "none" / "a.off", mesh),
+                    path("none/a.off") + ": cannot be written: no such file or directory");
   CHECK_THROWS_WITH(write_mesh(folder.path / "a.xyz", mesh),
                     path("a.xyz") + ": the extension is none of .off, .obj, .ply, .stl");
   CHECK_THROWS_WITH(write_mesh(folder.path / "a.stl", mesh),

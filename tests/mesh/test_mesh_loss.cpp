@@ -11,6 +11,7 @@
 #include "rectilin/mesh/mesh_report.h"
 #include "rectilin/mesh/source.h"
 #include "support/catch.h"
+#include "support/surface.h"
 
 using namespace rectilin;
 using namespace std::string_literals;
@@ -28,17 +29,10 @@ std::string said(MeshFormat format, const std::string& text) {
   }
 }
 
-double area(const Mesh& mesh) {
-  double sum = 0;
-  for (const auto& [a, b, c] : mesh.triangles)
-    sum += 0.5 * (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).norm();
-  return sum;
-}
-
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 template <class Number>
-std::string raw(Number value) {
+std::string raw_bytes(Number value) {
   std::string bytes(sizeof value, '\0');
   std::memcpy(bytes.data(), &value, sizeof value);
   if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
@@ -49,12 +43,12 @@ std::string raw(Number value) {
 std::string binary_stl(std::uint32_t count, std::uint32_t claimed, std::uint16_t payload = 0,
                        std::string header = "binary") {
   header.resize(80, ' ');
-  std::string bytes = header + raw(claimed);
+  std::string bytes = header + raw_bytes(claimed);
   for (std::uint32_t i = 0; i < count; ++i) {
     bytes += std::string(12, '\0');
     const float x = static_cast<float>(i);
-    for (const float coordinate : {x, 0.0f, 0.0f, x + 1, 0.0f, 0.0f, x, 1.0f, 0.0f}) bytes += raw(coordinate);
-    bytes += raw(payload) + std::string(payload, '\x07');
+    for (const float coordinate : {x, 0.0f, 0.0f, x + 1, 0.0f, 0.0f, x, 1.0f, 0.0f}) bytes += raw_bytes(coordinate);
+    bytes += raw_bytes(payload) + std::string(payload, '\x07');
   }
   return bytes;
 }
@@ -75,9 +69,9 @@ const std::string kPly = "ply\nformat ascii 1.0\n" + kPlyHead + kVertices + "3 0
 
 std::string binary_ply() {
   std::string bytes = "ply\nformat binary_little_endian 1.0\n" + kPlyHead;
-  for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) bytes += raw(x);
-  bytes += raw(std::uint8_t{3});
-  for (const int i : {0, 1, 2}) bytes += raw(i);
+  for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) bytes += raw_bytes(x);
+  bytes += raw_bytes(std::uint8_t{3});
+  for (const int i : {0, 1, 2}) bytes += raw_bytes(i);
   return bytes;
 }
 
@@ -150,7 +144,7 @@ TEST_CASE("what stands behind all that the header counts is reported", "[loss]")
 }
 
 TEST_CASE("OFF in other layouts", "[loss]") {
-  const auto off = [](const std::string& text) { return area(read(MeshFormat::kOff, text).mesh); };
+  const auto off = [](const std::string& text) { return test::surface(read(MeshFormat::kOff, text).mesh); };
   for (const std::string& head : {"OFF\n3\n1\n0\n"s, "OFF\n3\n1 0\n"s, "OFF 3 1\n0\n"s, "OFF\n3 1\n"s, "off\n3 1 0\n"s,
                                   "Off 3 1 0\n"s, "3 1 0\n"s, "# no keyword\n3 1\n"s, "3\n1\n0\n"s}) {
     CAPTURE(head);
@@ -165,7 +159,7 @@ TEST_CASE("OFF in other layouts", "[loss]") {
 TEST_CASE("PLY elements over several lines", "[loss]") {
   const std::string head = "ply\nformat ascii 1.0\n" + kPlyHead;
   for (const std::string& body : {"0 0 0\n1 0\n0\n0\n1\n0\n3 0 1 2\n"s, "0 0 0\n1 0 0\n0 1 0\n3\n0 1\n2\n"s}) {
-    CHECK(area(read(MeshFormat::kPly, head + body).mesh) == 0.5);
+    CHECK(test::surface(read(MeshFormat::kPly, head + body).mesh) == 0.5);
     CHECK(said(MeshFormat::kPly, head + body) == "");
   }
   // Numbers must still add up, element by element.
@@ -208,13 +202,13 @@ TEST_CASE("text STL in any layout", "[loss]") {
     CAPTURE(text);
     const LoadedMesh loaded = read(MeshFormat::kStl, text);
     CHECK(loaded.mesh.triangles.size() == 1);
-    CHECK(area(loaded.mesh) == 0.5);
+    CHECK(test::surface(loaded.mesh) == 0.5);
     CHECK(summary(loaded.report) == "");
   }
   CHECK(read(MeshFormat::kStl, one_line + " " + one_line + "\n").mesh.triangles.size() == 2);
   CHECK(read(MeshFormat::kStl, one_line + "\n" + usual).mesh.triangles.size() == 2);
   for (const std::string& tail : {"\x1A"s, "\0\0\0"s, "\r\n\x1A\r\n"s}) {
-    CHECK(area(read(MeshFormat::kStl, usual + tail).mesh) == 0.5);
+    CHECK(test::surface(read(MeshFormat::kStl, usual + tail).mesh) == 0.5);
     CHECK(contains(said(MeshFormat::kStl, usual + tail), "of padding"));
   }
   const std::string four = replaced(usual, "endloop", "vertex 1 1 0\nendloop");
@@ -245,13 +239,13 @@ TEST_CASE("binary STL is written only where single precision keeps the mesh", "[
     return read(MeshFormat::kStl, mesh_bytes(mesh, MeshFormat::kStl, {.binary = true, .recentre = recentre}, "m.stl"))
         .mesh;
   };
-  CHECK(area(written(cube)) == Approx(6));
-  CHECK(area(written(moved(1e15, 0))) == Approx(6e30));
-  CHECK(area(written(moved(1e-15, 0))) == Approx(6e-30));
+  CHECK(test::surface(written(cube)) == Approx(6));
+  CHECK(test::surface(written(moved(1e15, 0))) == Approx(6e30));
+  CHECK(test::surface(written(moved(1e-15, 0))) == Approx(6e-30));
   CHECK_THROWS_WITH(written(moved(1.3, 4.5e6)), Catch::Contains("single precision") && Catch::Contains("--recentre"));
   CHECK_THROWS_WITH(written(moved(1e-50, 0)), Catch::Contains("single precision"));
   CHECK_THROWS_WITH(written(moved(1e-44, 0)), Catch::Contains("single precision"));
-  CHECK(area(written(moved(1.3, 4.5e6), true)) == Approx(6 * 1.69).epsilon(1e-6));
+  CHECK(test::surface(written(moved(1.3, 4.5e6), true)) == Approx(6 * 1.69).epsilon(1e-6));
   CHECK_THROWS_AS(written(moved(1e-50, 0), true), MeshError);
   // Text and doubles hold anything.
   CHECK(mesh_bytes(moved(1e-50, 0), MeshFormat::kStl, {.binary = false}, "m.stl").starts_with("solid"));

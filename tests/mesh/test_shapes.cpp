@@ -7,6 +7,7 @@
 
 #include "rectilin/mesh/shapes.h"
 #include "support/catch.h"
+#include "support/surface.h"
 
 namespace rectilin {
 namespace {
@@ -21,12 +22,6 @@ Mesh shape(const std::string& text) { return make_shape(Spec::parse(text)); }
 Vector3 area_vector(const Mesh& mesh, const Triangle& t) {
   const auto& v = mesh.vertices;
   return 0.5 * (v[t[1]] - v[t[0]]).cross(v[t[2]] - v[t[0]]);
-}
-
-double area(const Mesh& mesh) {
-  double sum = 0;
-  for (const auto& t : mesh.triangles) sum += area_vector(mesh, t).norm();
-  return sum;
 }
 
 /// By the divergence theorem; positive if the triangles face outward.
@@ -147,13 +142,13 @@ TEST_CASE("closed shapes are watertight, face outward and have no empty triangle
     CHECK(euler_characteristic(mesh) == (text.starts_with("torus") ? 0 : 2));
     CHECK(volume(mesh) > 0);
     Vector3 sum = Vector3::Zero();
-    double smallest = area(mesh);
+    double smallest = test::surface(mesh);
     for (const auto& t : mesh.triangles) {
       sum += area_vector(mesh, t);
       smallest = std::min(smallest, area_vector(mesh, t).norm());
     }
     CHECK(smallest > 0);
-    CHECK(sum.norm() < kRounding * area(mesh));
+    CHECK(sum.norm() < kRounding * test::surface(mesh));
   }
 }
 
@@ -226,7 +221,7 @@ TEST_CASE("solids with flat sides have their exact volumes and areas", "[shapes]
     INFO(known.text);
     const Mesh mesh = shape(known.text);
     CHECK(volume(mesh) == Approx(known.volume).epsilon(kRounding));
-    CHECK(area(mesh) == Approx(known.area).epsilon(kRounding));
+    CHECK(test::surface(mesh) == Approx(known.area).epsilon(kRounding));
   }
 }
 
@@ -355,7 +350,7 @@ TEST_CASE("every listed shape is made by its name, with defaults as described", 
     CHECK(names.insert(info.name).second);
     CHECK_FALSE(info.help.empty());
     const Mesh mesh = shape(info.name);
-    CHECK(area(mesh) > 0);
+    CHECK(test::surface(mesh) > 0);
     CHECK(std::all_of(mesh.triangles.begin(), mesh.triangles.end(),
                       [&](const Triangle& t) { return *std::max_element(t.begin(), t.end()) < mesh.vertices.size(); }));
     CHECK(std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](const Vector3& p) { return p.allFinite(); }));

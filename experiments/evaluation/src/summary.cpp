@@ -32,7 +32,7 @@ void add_measures(std::vector<Csv::Cell>& row, const retrieval::Measures& measur
   for (const auto& m : named_measures()) row.emplace_back(measures.*m.value);
 }
 
-Csv scores_table(const Evaluation& evaluation) {
+Csv scores_csv(const Evaluation& evaluation) {
   Csv table(with_measures(
       with_measures({"label", "descriptor", "bytes", "describe_seconds", "compare_seconds"}, "micro_"), "macro_"));
   for (const Result& r : evaluation.results) {
@@ -69,7 +69,7 @@ Csv queries_table(const Evaluation& evaluation) {
   return table;
 }
 
-Csv tests_table(const Evaluation& evaluation) {
+Csv tests_csv(const Evaluation& evaluation) {
   Csv table({"first", "second", "dcg_difference", "low", "high", "p", "p_holm"});
   for (const Comparison& c : evaluation.comparisons)
     table.row({evaluation.results[c.first].contestant.label, evaluation.results[c.second].contestant.label,
@@ -138,10 +138,10 @@ Json summary(const Evaluation& evaluation, const Json& provenance) {
 }
 
 PictureTroubles write_report(const fs::path& out, const Evaluation& evaluation, const Json& provenance) {
-  scores_table(evaluation).write(out / "scores.csv");
+  scores_csv(evaluation).write(out / "scores.csv");
   classes_table(evaluation).write(out / "classes.csv");
   queries_table(evaluation).write(out / "queries.csv");
-  tests_table(evaluation).write(out / "tests.csv");
+  tests_csv(evaluation).write(out / "tests.csv");
   confusion_table(evaluation).write(out / "confusion.csv");
   write_whole_file(out / "summary.json", to_text(summary(evaluation, provenance), 1) + '\n');
   const std::vector<NamedPlot> plots = figures(evaluation);
