@@ -35,7 +35,6 @@ static_assert(std::numeric_limits<long double>::digits >= 64, "sums over blocks 
 
 constexpr double kHalfEdge = 0.41421356237309510;  // of the zone's cube, at least sqrt(2) - 1
 constexpr int kMostHalvings = 12;                  // of a leaf, until its bound shows
-constexpr int kMostFloorHalvings = 6;              // the same, if it rests on floors
 
 /// Reason for refusing.
 struct Refusal {
@@ -123,10 +122,13 @@ Eigen::Vector3d mixture(const Json& terms, const std::vector<Eigen::Vector3d>& c
 void check_floors(const Json& json, const Part& part, double lower, Floors& floors, const std::string& where) {
   const Eigen::Vector3d stated = vector(json);
   if (!(stated.sum() >= lower + kAllowance)) refuse(where + ": its floors do not add up to the bound");
-  switch (floors.check({stated[0], stated[1], stated[2]}, part, kMostFloorHalvings)) {
-    case Floors::Answer::kHolds: return;
-    case Floors::Answer::kFails: refuse(where + ": its floors do not hold");
-    case Floors::Answer::kTooMany: refuse(where + ": its floors would need too many triangles");
+  switch (floors.check({stated[0], stated[1], stated[2]}, part, kMostHalvings)) {
+    case Floors::Answer::kHolds:
+      return;
+    case Floors::Answer::kFails:
+      refuse(where + ": its floors do not hold");
+    case Floors::Answer::kTooMany:
+      refuse(where + ": its floors would need too many triangles");
   }
 }
 

@@ -23,18 +23,20 @@ struct Floors::Sweep {
 
   Sweep(const Part& part, int k) {
     const Vector rho = 0.5 * (part.low + part.high);
-    const double n = 1 + rho.squaredNorm();
-    middle = (2 - n) * Vector::Unit(k) + 2 * rho[k] * rho - 2 * rho.cross(Vector::Unit(k));  // row k
-    middle.normalize();
-    int other = 0;
-    middle.cwiseAbs().minCoeff(&other);
-    const Vector a = middle.cross(Vector::Unit(other)).normalized(), b = middle.cross(a).normalized();
+    middle = row(rho, k);
+    const Vector a = row(rho, (k + 1) % 3), b = row(rho, (k + 2) % 3);
     for (int i = 0; i < 8; ++i) {
       const double angle = 0.785398163397448 * i;
       normals[i] = (std::cos(angle) * a + std::sin(angle) * b).normalized();
       reach[i] = std::max(0.0, -least(-normals[i], part, k)) + kAside;
     }
     in_front = least(middle, part, k) > kAside;
+  }
+
+  /// Row k of the rotation.
+  static Vector row(const Vector& rho, int k) {
+    const Vector unit = Vector::Unit(k);
+    return ((1 - rho.squaredNorm()) * unit + 2 * rho[k] * rho + 2 * unit.cross(rho)).normalized();
   }
 
   static double least(const Vector& direction, const Part& part, int k) {

@@ -12,8 +12,8 @@ struct Face {
   double x, y, z;  // area vector, in units of the surface
 };
 
-/// A subdivision of half the sphere (h is even) into triangles, refined where a claim asks for it. What was found for one
-/// claim serves the next.
+/// A subdivision of half the sphere (h is even) into triangles, refined where a claim asks for it. What was found for
+/// one claim serves the next.
 class Floors {
  public:
   enum class Answer { kHolds, kFails, kTooMany };

@@ -9,8 +9,8 @@
 namespace rectilin::bounding {
 namespace {
 
-constexpr int kFirstLevel = 3;             // whose triangles are bounded: edges of 0.2 radians
-constexpr int kFinestLevel = 20;           // edges of 1e-6 radians
+constexpr int kFirstLevel = 3;                     // whose triangles are bounded: edges of 0.2 radians
+constexpr int kFinestLevel = 20;                   // edges of 1e-6 radians
 constexpr double kStartEdge = 1, kEndEdge = 0.03;  // of the triangles that cover a sweep, in units of its radius
 constexpr int kMostDivisions = 400;                // of triangles for one box
 constexpr std::size_t kMostBlocks = 1'000'000;
@@ -209,7 +209,9 @@ std::optional<std::array<double, 3>> SupportFloor::prove(const std::array<Sweep,
       return std::array<double, 3>{fronts[0].bound(), fronts[1].bound(), fronts[2].bound()};
     if (fronts[0].value() + fronts[1].value() + fronts[2].value() < enough) return std::nullopt;
     Front& coarsest = *std::ranges::min_element(fronts, {}, &Front::level);
-    if (!coarsest.divide(*this)) { return std::nullopt;}
+    if (!coarsest.divide(*this)) {
+      return std::nullopt;
+    }
   }
   return std::nullopt;
 }

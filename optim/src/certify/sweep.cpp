@@ -15,7 +15,7 @@ constexpr double kHalf = std::numbers::sqrt2 / 2;
 
 }  // namespace
 
-Sweep::Sweep(const Box& box, const Corners& corners, const Rotation& middle, int axis)
+Sweep::Sweep(const Box& box, const Corners& corners, const Rotation& middle, int axis, double wider)
     : middle_(middle.axis(axis)), a_(middle.axis((axis + 1) % 3)), b_(middle.axis((axis + 2) % 3)) {
   const auto least = [&](const Eigen::Vector3d& direction) {
     Eigen::Matrix3d form = Eigen::Matrix3d::Zero();
@@ -27,6 +27,8 @@ Sweep::Sweep(const Box& box, const Corners& corners, const Rotation& middle, int
     most_[i] = std::max(0.0, -least(-normals[i]));
     least_[i] = std::min(0.0, least(normals[i]));
   }
+  most_ *= 1 + wider;
+  least_ *= 1 + wider;
   radius_ = std::max(most_.maxCoeff(), -least_.minCoeff());
   if (radius_ > kWidest || least(middle_) < 0) radius_ = std::numeric_limits<double>::infinity();
 }
@@ -41,8 +43,8 @@ bool Sweep::holds(const Eigen::Vector3d& x) const {
   return x.dot(middle_) > 0 && (products >= least_).all() && (products <= most_).all();
 }
 
-// A triangle misses the half-sphere x . n <= s, s >= 0, if its corners do: at a point sum a_j p_j the a_j >= 0 add up to
-// at least 1.
+// A triangle misses the half-sphere x . n <= s, s >= 0, if its corners do: at a point sum a_j p_j the a_j >= 0 add up
+// to at least 1.
 bool Sweep::may_meet(const Triangle3& p, double mirror) const {
   const Eigen::Array4d first = along(p[0]), second = along(p[1]), third = along(p[2]);
   const Eigen::Array4d low = first.min(second).min(third), high = first.max(second).max(third);

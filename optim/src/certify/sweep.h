@@ -10,7 +10,8 @@ namespace rectilin::bounding {
 /// is at most that side's reach. Lemma 1 gives the reach.
 class Sweep {
  public:
-  Sweep(const Box& box, const Corners& corners, const Rotation& middle, int axis);
+  /// `middle` is the rotation in the box's centre. The octagon is wider than it need be by the fraction `wider`.
+  Sweep(const Box& box, const Corners& corners, const Rotation& middle, int axis, double wider = 0);
 
   /// About the radius, in radians; infinite if the octagon is not known to be small.
   double radius() const { return radius_; }
