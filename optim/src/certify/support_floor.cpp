@@ -1,5 +1,6 @@
 #include "certify/support_floor.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,6 +26,16 @@ int level_of_edge(double edge) {
   return level;
 }
 
+/// The second-degree part of h in spherical harmonics, |t| = 1/2 + 5/8 P_2(t) + ..., and as much of the unit matrix as
+/// makes it positive but no more. Zero where h varies too much for least_on().
+Eigen::Matrix3d quadratic_part(const Eigen::Matrix3d& second, double total) {
+  const Eigen::Matrix3d part = 15.0 / 16 * second;
+  const Eigen::Vector3d values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(part).eigenvalues();
+  if (values[2] - values[0] > 0.15 * total) return Eigen::Matrix3d::Zero();
+  const Eigen::Matrix3d form = part - values[0] * Eigen::Matrix3d::Identity();
+  return 0.5 * (form + form.transpose());
+}
+
 /// Whichever thread is first, all get its object; says whether it was this one.
 template <class T>
 std::pair<T*, bool> install(std::atomic<T*>& place, std::unique_ptr<T> made) {
@@ -47,8 +58,8 @@ struct SupportFloor::Node {
   int level = 0;
   const Node* above = nullptr;
   Eigen::Vector3d centre;
-  double value = std::numeric_limits<double>::infinity();  // of h at the centre
-  mutable double bound = 0;                                // h is nowhere less
+  double value = std::numeric_limits<double>::infinity();  // of h less the form, at the centre
+  mutable double bound = -1e9;                             // it is nowhere less
   mutable std::atomic<Block*> parts = nullptr;
   mutable std::atomic<Faces*> faces = nullptr;
 
@@ -61,7 +72,14 @@ struct SupportFloor::Node {
 SupportFloor::SupportFloor(const Generators& generators, double margin, std::function<bool()> stop)
     : stop_(std::move(stop)) {
   double total = 0;
-  for (std::size_t i = 0; i < generators.size(); ++i) total += generators[i].norm();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 0; i < generators.size(); ++i) {
+    const Eigen::Vector3d v = generators[i];
+    if (!(v.norm() > 0)) continue;
+    total += v.norm();
+    second += v * v.transpose() / v.norm();
+  }
+  form_ = quadratic_part(second, total);
   // A sum of K terms, in whatever order, errs by at most K roundoffs of the sum of the lengths.
   rounding_ = total * (static_cast<double>(generators.size()) * 0x1p-52 + kRounding) + margin;
   // A triangle of edge e meets 3 e / 2 pi of all great circles.
@@ -122,8 +140,8 @@ const SupportFloor::Block* SupportFloor::parts_of(const Node& node) const {
     }
     for (Node& part : *made) {
       const Eigen::Vector3d gradient = settled + faces->cut(part.centre);  // a cut is below h: so is its least value
-      part.value = gradient.dot(part.centre);
-      part.bound = std::max(node.bound, least_linear(gradient, part.corners) - rounding_);
+      part.value = gradient.dot(part.centre) - part.centre.dot(form_ * part.centre);
+      part.bound = std::max(node.bound, least_on(part.corners, gradient, form_) - rounding_);
     }
   }
   const auto [parts, mine] = install(node.parts, std::move(made));
@@ -200,6 +218,7 @@ class SupportFloor::Front {
 };
 
 std::optional<std::array<double, 3>> SupportFloor::prove(const std::array<Sweep, 3>& sweeps, double enough) const {
+  enough -= form_.trace();
   for (const Sweep& sweep : sweeps)
     if (!std::isfinite(sweep.radius())) return std::nullopt;
   thread_local std::array<Front, 3> fronts;
