@@ -115,7 +115,7 @@ TEST_CASE("verify refuses a proof that was tampered with", "[verify]") {
 }
 
 TEST_CASE("proofs of nearly round meshes rest on floors of h, and on true ones only", "[verify]") {
-  const Mesh mesh = mesh_of("sphere?kind=even&faces=2000&rotate=random");
+  const Mesh mesh = mesh_of("ellipsoid?a=1&b=1.02&c=1.05&faces=2000&rotate=random");
   const Json proof = prove(mesh, {.gap = 1e-5});
   const std::string tree = proof["tree"];
   REQUIRE(static_cast<std::size_t>(std::ranges::count(tree, 'h')) == proof["floors"].size());
@@ -130,6 +130,12 @@ TEST_CASE("proofs of nearly round meshes rest on floors of h, and on true ones o
     change(copy);
     require_refused(copy, mesh, reason);
   };
+  // Of what floors must add up to.
+  const auto third_of = [](const Json& p) {
+    double trace = 0;
+    for (int k = 0; k < 3; ++k) trace += p["form"][k][k].get<double>();
+    return (p["lower"].get<double>() - trace) / 3 + 1e-12;
+  };
   // One axis gives what another is said to have: their sum is as before.
   refused("floors do not hold", [](Json& p) {
     p["floors"][7][0] = p["floors"][7][0].get<double>() + 0.01;
@@ -141,11 +147,16 @@ TEST_CASE("proofs of nearly round meshes rest on floors of h, and on true ones o
   refused("three numbers", [](Json& p) { p["floors"][3] = Json::array({0.5, 0.5}); });
   refused("number", [](Json& p) { p["floors"][3][1] = "0.5"; });
   refused("malformed", [](Json& p) { p["floors"] = 1; });
+  refused("form", [](Json& p) { p["form"] = nullptr; });
+  refused("symmetric", [](Json& p) { p["form"][0][1] = p["form"][0][1].get<double>() + 1e-9; });
+  refused("small", [](Json& p) { p["form"][2][2] = 1e9; });
+  refused("floors do not", [](Json& p) { p["form"][0][0] = p["form"][0][0].get<double>() - 1e-4; });
+  refused("floors do not", [](Json& p) { p["form"][0][0] = p["form"][0][0].get<double>() + 1e-4; });
   refused("'floors' is missing", [](Json& p) { p.erase("floors"); });
   // A box that needed cuts, said to need none: the incumbent's own, where there is nothing to spare.
-  refused("floor", [](Json& p) {
+  refused("floor", [&](Json& p) {
     std::string& text = p["tree"].get_ref<std::string&>();
-    const double third = p["lower"].get<double>() / 3 + 1e-12;
+    const double third = third_of(p);
     Json floors = Json::array();
     std::size_t at = 0;
     for (char& node : text) {
@@ -156,8 +167,8 @@ TEST_CASE("proofs of nearly round meshes rest on floors of h, and on true ones o
     p["leaves"] = Json::array();
   });
   // The whole zone as one box.
-  refused("floors do not hold", [](Json& p) {
-    const double third = p["lower"].get<double>() / 3 + 1e-12;
+  refused("floors do not hold", [&](Json& p) {
+    const double third = third_of(p);
     p["tree"] = "h";
     p["leaves"] = Json::array();
     p["floors"] = Json::array({Json::array({third, third, third})});

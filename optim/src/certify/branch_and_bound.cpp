@@ -195,6 +195,7 @@ void BranchAndBound::update_floors() {
   flatness_is_known_ = true;
   if (!is_flat()) return;
   floors_ = std::make_unique<SupportFloor>(generators_, proof_ ? kProofMargin : 0, [this] { return stopped(); });
+  if (proof_) proof_->set_form(floors_->form());
 }
 
 void BranchAndBound::expand(Slot& slot) const {

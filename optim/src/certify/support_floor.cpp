@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kFirstLevel = 3;                     // whose triangles are bounded: edges of 0.2 radians
 constexpr int kFinestLevel = 20;                   // edges of 1e-6 radians
-constexpr double kStartEdge = 1, kEndEdge = 0.03;  // of the triangles that cover a sweep, in units of its radius
+constexpr double kStartEdge = 2, kEndEdge = 0.03;  // of the triangles that cover a sweep, in units of its radius
 constexpr int kMostDivisions = 400;                // of triangles for one box
 constexpr std::size_t kMostBlocks = 1'000'000;
 constexpr double kRounding = 0x1p-44;  // of everything but the sums over faces, relative to S
@@ -170,8 +170,10 @@ class SupportFloor::Front {
     begin_ = level_of_edge(kStartEdge * sweep.radius());
     end_ = level_of_edge(kEndEdge * sweep.radius());
     for (const Node& octant : *floor.octants_)
-      for (const double mirror : {1.0, -1.0})  // h is even
-        if (sweep.may_meet(octant.corners, mirror)) add(floor, octant, mirror);
+      for (const double mirror : {1.0, -1.0}) {  // h is even
+        const Triangle3& p = octant.corners;
+        if (sweep.may_meet(sweep.place(p[0]), sweep.place(p[1]), sweep.place(p[2]), mirror)) add(floor, octant, mirror);
+      }
   }
 
   double bound() const { return entries_.front().bound; }
@@ -186,8 +188,7 @@ class SupportFloor::Front {
     if (!parts) return false;
     std::ranges::pop_heap(entries_, std::ranges::greater(), &Entry::bound);
     entries_.pop_back();
-    for (const Node& part : *parts)
-      if (sweep_->may_meet(part.corners, entry.mirror)) push(part, entry.mirror);
+    for_each_meeting(*parts, entry.mirror, [&](const Node& part) { push(part, entry.mirror); });
     return !entries_.empty();
   }
 
@@ -198,6 +199,18 @@ class SupportFloor::Front {
     double mirror;
   };
 
+  /// Those of the four parts that may meet the sweep. They share corners, see quarters().
+  template <class F>
+  void for_each_meeting(const Block& parts, double mirror, const F& f) const {
+    const auto place = [&](int part, int corner) { return sweep_->place(parts[part].corners[corner]); };
+    const Sweep::Place a = place(0, 0), b = place(0, 1), c = place(0, 2), p = place(1, 0), q = place(2, 1),
+                       r = place(3, 2);
+    if (sweep_->may_meet(a, b, c, mirror)) f(parts[0]);
+    if (sweep_->may_meet(p, c, b, mirror)) f(parts[1]);
+    if (sweep_->may_meet(c, q, a, mirror)) f(parts[2]);
+    if (sweep_->may_meet(b, a, r, mirror)) f(parts[3]);
+  }
+
   void push(const Node& node, double mirror) {
     if (node.value < value_ && sweep_->holds(mirror * node.centre)) value_ = node.value;
     entries_.push_back({node.bound, &node, mirror});
@@ -207,8 +220,7 @@ class SupportFloor::Front {
   void add(const SupportFloor& floor, const Node& node, double mirror) {
     const Block* parts = node.level < begin_ ? floor.parts_of(node) : nullptr;
     if (!parts) return push(node, mirror);
-    for (const Node& part : *parts)
-      if (sweep_->may_meet(part.corners, mirror)) add(floor, part, mirror);
+    for_each_meeting(*parts, mirror, [&](const Node& part) { add(floor, part, mirror); });
   }
 
   const Sweep* sweep_ = nullptr;
