@@ -300,7 +300,8 @@ TEST_CASE("h does not fall below the floors of a sweep", "[certify]") {
     SupportFloor floor(generators, 0, [] { return false; });
     for (int i = 0; i < 200; ++i) {
       if (i % 20 == 19) floor.update();
-      const Box box = random_box(random);
+      Box box = random_box(random);  // of a size that floors are tried for
+      box.upper = box.lower.array() + std::pow(10.0, random.uniform(-2.5, -0.5));
       const Corners corners(box);
       const Rotation middle = rotation_from_rodrigues(box.centre());
       const std::array<Sweep, 3> sweeps = {Sweep(box, corners, middle, 0), Sweep(box, corners, middle, 1),

@@ -10,6 +10,7 @@
 namespace rectilin::bounding {
 namespace {
 
+constexpr double kLeastRadius = 0.01;              // of sweeps, in radians; cuts alone do well on smaller ones
 constexpr int kFirstLevel = 3;                     // whose triangles are bounded: edges of 0.2 radians
 constexpr int kFinestLevel = 20;                   // edges of 1e-6 radians
 constexpr double kStartEdge = 2, kEndEdge = 0.03;  // of the triangles that cover a sweep, in units of its radius
@@ -231,8 +232,8 @@ class SupportFloor::Front {
 
 std::optional<std::array<double, 3>> SupportFloor::prove(const std::array<Sweep, 3>& sweeps, double enough) const {
   enough -= form_.trace();
-  for (const Sweep& sweep : sweeps)
-    if (!std::isfinite(sweep.radius())) return std::nullopt;
+  const double radius = std::max({sweeps[0].radius(), sweeps[1].radius(), sweeps[2].radius()});
+  if (!std::isfinite(radius) || radius < kLeastRadius) return std::nullopt;
   thread_local std::array<Front, 3> fronts;
   for (int k = 0; k < 3; ++k) fronts[k].start(*this, sweeps[k]);
   for (int division = 0; division < kMostDivisions; ++division) {
