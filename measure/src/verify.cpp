@@ -36,7 +36,6 @@ static_assert(std::numeric_limits<long double>::digits >= 64, "sums over blocks 
 
 constexpr double kHalfEdge = 0.41421356237309510;  // of the zone's cube, at least sqrt(2) - 1
 constexpr int kMostHalvings = 12;                  // of a leaf, until its bound shows
-constexpr int kMostFloorHalvings = 6;              // the same, if it rests on floors
 
 /// Reason for refusing.
 struct Refusal {
@@ -101,6 +100,13 @@ Eigen::Vector3d vector(const PlainJson& json) {
   return {number(json[0]), number(json[1]), number(json[2])};
 }
 
+Matrix3 matrix(const PlainJson& json, const std::string& name) {
+  if (!json.is_array() || json.size() != 3) refuse(name + " is not three rows");
+  Matrix3 rows;
+  for (int k = 0; k < 3; ++k) rows.row(k) = vector(json[k]).transpose();
+  return rows;
+}
+
 /// The mixture of cuts of one axis of a leaf.
 Eigen::Vector3d mixture(const PlainJson& terms, const std::vector<Eigen::Vector3d>& cuts, const std::string& where) {
   if (!terms.is_array() || terms.size() % 2 != 0 || terms.empty()) refuse(where + ": an axis is not a list of pairs");
@@ -120,21 +126,24 @@ Eigen::Vector3d mixture(const PlainJson& terms, const std::vector<Eigen::Vector3
   return result / sum;
 }
 
-/// Three numbers that add up to `lower`, each a floor of h on what its axis sweeps.
-void check_floors(const PlainJson& json, const Part& part, double lower, Floors& floors, const std::string& where) {
+/// Three numbers that add up to `enough`, each a floor on what its axis sweeps.
+void check_floors(const PlainJson& json, const Part& part, double enough, Floors& floors, const std::string& where) {
   const Eigen::Vector3d stated = vector(json);
-  if (!(stated.sum() >= lower + kAllowance)) refuse(where + ": its floors do not add up to the bound");
-  switch (floors.check({stated[0], stated[1], stated[2]}, part, kMostFloorHalvings)) {
-    case Floors::Answer::kHolds: return;
-    case Floors::Answer::kFails: refuse(where + ": its floors do not hold");
-    case Floors::Answer::kTooMany: refuse(where + ": its floors would need too many triangles");
+  if (!(stated.sum() >= enough)) refuse(where + ": its floors do not add up to the bound");
+  switch (floors.check({stated[0], stated[1], stated[2]}, part, kMostHalvings)) {
+    case Floors::Answer::kHolds:
+      return;
+    case Floors::Answer::kFails:
+      refuse(where + ": its floors do not hold");
+    case Floors::Answer::kTooMany:
+      refuse(where + ": its floors would need too many triangles");
   }
 }
 
 /// Walks the tree, an explicit stack in the place of recursion. Every box is halved, checked or outside, so the leaves
 /// cover the zone when the stack is empty.
 std::size_t check_leaves(const std::string& tree, const PlainJson& leaves, const PlainJson& stated_floors,
-                         const std::vector<Eigen::Vector3d>& cuts, Floors& floors, double lower) {
+                         const std::vector<Eigen::Vector3d>& cuts, Floors& floors, double trace, double lower) {
   std::vector<Part> open = {{Eigen::Vector3d::Constant(-kHalfEdge), Eigen::Vector3d::Constant(kHalfEdge)}};
   std::size_t leaf = 0, floor = 0;
   for (const char node : tree) {
@@ -157,7 +166,7 @@ std::size_t check_leaves(const std::string& tree, const PlainJson& leaves, const
     } else if (node == 'h') {
       const std::string where = "floor " + std::to_string(floor);
       if (floor >= stated_floors.size()) refuse(where + " is missing");
-      check_floors(stated_floors[floor++], part, lower, floors, where);
+      check_floors(stated_floors[floor++], part, lower - trace + kAllowance, floors, where);
     } else {
       refuse("the tree has an unknown node");
     }
@@ -181,14 +190,13 @@ double value_at(const std::vector<Face>& faces, const Matrix3& r) {
 Verdict check(const PlainJson& json, const MeshView& mesh) {
   if (!json.is_object() || json.value("format", "") != "rectilin certificate") refuse("this is not a certificate");
   if (json.value("version", 0) != 1) refuse("the certificate's version is not 1");
-  for (const char* key : {"mesh", "rotation", "value", "lower", "tree", "directions", "leaves", "floors"})
+  for (const char* key : {"mesh", "rotation", "value", "lower", "tree", "directions", "leaves", "floors", "form"})
     if (!json.contains(key)) refuse(std::string("'") + key + "' is missing");
   if (json["mesh"] != mesh_digest(mesh)) refuse("the certificate is about another mesh");
   const std::vector<Face> faces = area_vectors_of(mesh);
 
-  Matrix3 rotation;
-  if (!json["rotation"].is_array() || json["rotation"].size() != 3) refuse("the rotation is not three rows");
-  for (int k = 0; k < 3; ++k) rotation.row(k) = vector(json["rotation"][k]).transpose();
+  const Matrix3 rotation = matrix(json["rotation"], "the rotation"), form = matrix(json["form"], "the form");
+  if (form != form.transpose() || form.cwiseAbs().maxCoeff() > 1) refuse("the form is not symmetric and small");
   const double value = value_at(faces, rotation), lower = number(json["lower"]);
   if (!(std::abs(value - number(json["value"])) < 1e-10)) refuse("the rotation does not have the value stated");
   if (!(lower > 0)) refuse("the bound is not positive");
@@ -205,8 +213,8 @@ Verdict check(const PlainJson& json, const MeshView& mesh) {
     std::vector<Eigen::Vector3d> cuts;
     for (const PlainJson& direction : json["directions"]) cuts.push_back(cut(faces, vector(direction)));
     verdict.directions = cuts.size();
-    Floors floors(faces);
-    verdict.leaves = check_leaves(tree, json["leaves"], json["floors"], cuts, floors, lower);
+    Floors floors(faces, form);
+    verdict.leaves = check_leaves(tree, json["leaves"], json["floors"], cuts, floors, form.trace(), lower);
   }
   verdict.accepted = true;
   constexpr double kRounding = 0x1p-50;  // of these two lines

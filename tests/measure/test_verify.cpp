@@ -1,4 +1,5 @@
 // Proofs are accepted as written, and refused if anything in them is changed.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "rectilin/measure/projected_area.h"
@@ -111,6 +112,67 @@ TEST_CASE("verify refuses a proof that was tampered with", "[verify]") {
   require_refused(changed([](Json& p) { p["format"] = 7; }), mesh, "");
   require_refused(changed([](Json& p) { p["directions"][0] = Json::array({1, 2}); }), mesh, "three numbers");
   require_refused(changed([](Json& p) { p.erase("leaves"); }), mesh, "missing");
+}
+
+TEST_CASE("proofs of nearly round meshes rest on floors of h, and on true ones only", "[verify]") {
+  const Mesh mesh = mesh_of("ellipsoid?a=1&b=1.02&c=1.05&faces=2000&rotate=random");
+  const Json proof = prove(mesh, {.gap = 1e-5});
+  const std::string tree = proof["tree"];
+  REQUIRE(static_cast<std::size_t>(std::ranges::count(tree, 'h')) == proof["floors"].size());
+  REQUIRE(proof["floors"].size() > 100);
+  const Verdict verdict = verify_certificate(proof.dump(), mesh);
+  INFO(verdict.reason);
+  REQUIRE(verdict.accepted);
+  REQUIRE(verdict.upper - verdict.lower <= 1.001e-5);
+
+  const auto refused = [&](const std::string& reason, auto change) {
+    Json copy = proof;
+    change(copy);
+    require_refused(copy, mesh, reason);
+  };
+  // Of what floors must add up to.
+  const auto third_of = [](const Json& p) {
+    double trace = 0;
+    for (int k = 0; k < 3; ++k) trace += p["form"][k][k].get<double>();
+    return (p["lower"].get<double>() - trace) / 3 + 1e-12;
+  };
+  // One axis gives what another is said to have: their sum is as before.
+  refused("floors do not hold", [](Json& p) {
+    p["floors"][7][0] = p["floors"][7][0].get<double>() + 0.01;
+    p["floors"][7][1] = p["floors"][7][1].get<double>() - 0.01;
+  });
+  refused("do not add up", [](Json& p) { p["floors"][7][2] = p["floors"][7][2].get<double>() - 0.001; });
+  refused("floor", [](Json& p) { p["floors"].erase(p["floors"].size() - 1); });
+  refused("more floors", [](Json& p) { p["floors"].push_back(p["floors"][0]); });
+  refused("three numbers", [](Json& p) { p["floors"][3] = Json::array({0.5, 0.5}); });
+  refused("number", [](Json& p) { p["floors"][3][1] = "0.5"; });
+  refused("malformed", [](Json& p) { p["floors"] = 1; });
+  refused("form", [](Json& p) { p["form"] = nullptr; });
+  refused("symmetric", [](Json& p) { p["form"][0][1] = p["form"][0][1].get<double>() + 1e-9; });
+  refused("small", [](Json& p) { p["form"][2][2] = 1e9; });
+  refused("floors do not", [](Json& p) { p["form"][0][0] = p["form"][0][0].get<double>() - 1e-4; });
+  refused("floors do not", [](Json& p) { p["form"][0][0] = p["form"][0][0].get<double>() + 1e-4; });
+  refused("'floors' is missing", [](Json& p) { p.erase("floors"); });
+  // A box that needed cuts, said to need none: the incumbent's own, where there is nothing to spare.
+  refused("floor", [&](Json& p) {
+    std::string& text = p["tree"].get_ref<std::string&>();
+    const double third = third_of(p);
+    Json floors = Json::array();
+    std::size_t at = 0;
+    for (char& node : text) {
+      if (node == 'h') floors.push_back(p["floors"][at++]);
+      if (node == 'l') floors.push_back({third, third, third}), node = 'h';
+    }
+    p["floors"] = floors;
+    p["leaves"] = Json::array();
+  });
+  // The whole zone as one box.
+  refused("floors do not hold", [&](Json& p) {
+    const double third = third_of(p);
+    p["tree"] = "h";
+    p["leaves"] = Json::array();
+    p["floors"] = Json::array({Json::array({third, third, third})});
+  });
 }
 
 TEST_CASE("verify refuses sums made to round upwards", "[verify]") {

@@ -134,6 +134,27 @@ TEST_CASE("certify gives the same bits for any number of threads", "[certify]") 
   }
 }
 
+TEST_CASE("nearly round meshes are enclosed, the same for any number of threads", "[certify]") {
+  const Certified first = certify_vectors(shape("sphere?kind=even&faces=2000"));
+  require_encloses(first, 0.5 * (first.lower + first.upper), 1e-6);
+  REQUIRE(first.result.floor_triangles > 1000);
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 8);
+  const Certified again = certify_vectors(shape("sphere?kind=even&faces=2000"));
+  REQUIRE(again.lower == first.lower);
+  REQUIRE(again.upper == first.upper);
+  REQUIRE(again.result.cells == first.result.cells);
+  REQUIRE(again.result.floor_triangles == first.result.floor_triangles);
+  // A rotated sphere has the same optimum.
+  const Certified rotated = certify_vectors(shape("sphere?kind=even&faces=2000&rotate=random"));
+  REQUIRE(rotated.lower <= first.upper + 1e-11);
+  REQUIRE(first.lower <= rotated.upper + 1e-11);
+  // Without floors it takes many more boxes.
+  const Certified without = certify_vectors(shape("sphere?kind=even&faces=2000"), {.gap = 2e-5, .minorants = false});
+  REQUIRE(without.result.closed);
+  REQUIRE(without.lower <= first.upper + 1e-11);
+  REQUIRE(first.lower <= without.upper + 1e-11);
+}
+
 TEST_CASE("bounds agree with and without the helpers", "[certify]") {
   for (const char* spec : {"soup?faces=100", "sphere?kind=even&faces=300", "torus?rotate=random"}) {
     INFO(spec);

@@ -8,9 +8,10 @@ namespace rectilin::verifying {
 namespace {
 
 constexpr std::size_t kMostTriangles = 6'000'000;
-constexpr int kDeepest = 26, kListed = 5;  // levels of the subdivision; those whose triangles keep their lists
-constexpr double kAllowance = 1e-12;       // of a cut's value: a few roundoffs, as sums are in extended precision
-constexpr double kAside = 1e-12;           // of a sweep's sides and products of unit vectors: a few roundoffs
+constexpr int kFirst = 2, kDeepest = 26;  // levels of the subdivision: edges of 0.4 radians, of 2e-8
+constexpr int kListed = 5;                // triangles keep their lists down to this one
+constexpr double kAllowance = 1e-12;      // of a cut's value: a few roundoffs, as sums are in extended precision
+constexpr double kAside = 1e-12;          // of a sweep's sides and products of unit vectors: a few roundoffs
 
 }  // namespace
 
@@ -23,18 +24,20 @@ struct Floors::Sweep {
 
   Sweep(const Part& part, int k) {
     const Vector rho = 0.5 * (part.low + part.high);
-    const double n = 1 + rho.squaredNorm();
-    middle = (2 - n) * Vector::Unit(k) + 2 * rho[k] * rho - 2 * rho.cross(Vector::Unit(k));  // row k
-    middle.normalize();
-    int other = 0;
-    middle.cwiseAbs().minCoeff(&other);
-    const Vector a = middle.cross(Vector::Unit(other)).normalized(), b = middle.cross(a).normalized();
+    middle = row(rho, k);
+    const Vector a = row(rho, (k + 1) % 3), b = row(rho, (k + 2) % 3);
     for (int i = 0; i < 8; ++i) {
       const double angle = 0.785398163397448 * i;
       normals[i] = (std::cos(angle) * a + std::sin(angle) * b).normalized();
       reach[i] = std::max(0.0, -least(-normals[i], part, k)) + kAside;
     }
     in_front = least(middle, part, k) > kAside;
+  }
+
+  /// Row k of the rotation.
+  static Vector row(const Vector& rho, int k) {
+    const Vector unit = Vector::Unit(k);
+    return ((1 - rho.squaredNorm()) * unit + 2 * rho[k] * rho + 2 * unit.cross(rho)).normalized();
   }
 
   static double least(const Vector& direction, const Part& part, int k) {
@@ -55,7 +58,7 @@ struct Floors::Sweep {
   }
 };
 
-Floors::Floors(const std::vector<Face>& faces) : faces_(faces) {
+Floors::Floors(const std::vector<Face>& faces, const Eigen::Matrix3d& form) : faces_(faces), form_(form) {
   lists_.emplace_back().faces.resize(faces.size());
   std::iota(lists_[0].faces.begin(), lists_[0].faces.end(), 0u);
   const Vector x = Vector::UnitX(), y = Vector::UnitY(), z = Vector::UnitZ();
@@ -78,10 +81,10 @@ Floors::Answer Floors::check(const std::array<double, 3>& floors, const Part& pa
   return lower == Answer::kHolds ? check(floors, part.half(axis, true), halvings - 1) : lower;
 }
 
-/// Is h at least `floor` on the part of the triangle, mirrored or not, that the axis may sweep?
+/// Is h(u) - u . F u at least `floor` on the part of the triangle, mirrored or not, that the axis may sweep?
 bool Floors::covers(std::int32_t at, const Sweep& sweep, double mirror, double floor) {
   if (triangles_[at].bound >= floor || sweep.misses(triangles_[at].corners, mirror)) return true;
-  if (!show_cut(at, sweep, mirror, floor)) return false;
+  if (triangles_[at].level >= kFirst && !show_cut(at, sweep, mirror, floor)) return false;
   if (triangles_[at].bound >= floor) return true;
   if (triangles_[at].level == kDeepest) return false;
   if (triangles_[at].parts < 0) divide(at);
@@ -95,8 +98,25 @@ bool Floors::covers(std::int32_t at, const Sweep& sweep, double mirror, double f
   return true;
 }
 
-/// Raises the triangle's bound to that of the cut at its centre c, if that was not done: h(u) >= g . u for every u, and
-/// g . u is least at a corner, if nonnegative there. False if h(c) < floor where the axis may well point to.
+/// A bound of g . u - u . F u on the triangle. In the plane of the corners u = sum a_j p_j, sum a_j = 1, it is the mean
+/// of (g . p_i + g . p_j) / 2 - p_i . F p_j with weights a_i a_j. A point of the sphere is further out by a factor s
+/// <= 1.1, which changes it by (s - 1) (g . u - (s + 1) u . F u): not down, if g . p_j >= 2.1 p_i . F p_k for all
+/// corners.
+double Floors::least(const Vector& g, const std::array<Vector, 3>& p) const {
+  double least = std::numeric_limits<double>::infinity(), linear = least, most = 0;
+  for (int i = 0; i < 3; ++i) {
+    linear = std::min(linear, g.dot(p[i]));
+    for (int j = 0; j < 3; ++j) {
+      const double product = p[i].dot(form_ * p[j]);
+      most = std::max(most, product);
+      least = std::min(least, 0.5 * (g.dot(p[i]) + g.dot(p[j])) - product);
+    }
+  }
+  return linear >= 2.1 * most + kAside ? least : -std::numeric_limits<double>::infinity();
+}
+
+/// Raises the triangle's bound to that of the cut at its centre c, if that was not done: h(u) >= g . u for every u.
+/// False if the floor does not hold at c, where the axis may well point to.
 bool Floors::show_cut(std::int32_t at, const Sweep& sweep, double mirror, double floor) {
   if (triangles_[at].cut) return true;
   const std::array<Vector, 3> p = triangles_[at].corners;
@@ -111,9 +131,9 @@ bool Floors::show_cut(std::int32_t at, const Sweep& sweep, double mirror, double
   }
   const Vector g = sum.cast<double>();
   Triangle& triangle = triangles_[at];
-  triangle.bound = std::max(triangle.bound, std::min({g.dot(p[0]), g.dot(p[1]), g.dot(p[2])}) - kAllowance);
+  triangle.bound = std::max(triangle.bound, least(g, p) - kAllowance);
   triangle.cut = true;
-  return g.dot(c) >= floor || sweep.misses({c, c, c}, mirror);
+  return g.dot(c) - c.dot(form_ * c) >= floor || sweep.misses({c, c, c}, mirror);
 }
 
 /// The list of the triangle or of the smallest one above it that keeps one.

@@ -32,10 +32,10 @@ struct Part {
   }
 };
 
-/// A number that sum_k g_k . r_k(rho), g_k the rows of g, does not fall below on the box, but for rounding. Multiplied by
-/// 1 + |rho|^2 and less a bound times that it is a polynomial, quadratic in each coordinate, that is nonnegative if its
-/// Bernstein coefficients on the box are. Those are the values of its polar form, where x^2 becomes low^2, low * high or
-/// high^2 and x their mean. (That of 1 + |rho|^2 is positive: the products are at least -0.18.)
+/// A number that sum_k g_k . r_k(rho), g_k the rows of g, does not fall below on the box, but for rounding. Multiplied
+/// by 1 + |rho|^2 and less a bound times that it is a polynomial, quadratic in each coordinate, that is nonnegative if
+/// its Bernstein coefficients on the box are. Those are the values of its polar form, where x^2 becomes low^2, low *
+/// high or high^2 and x their mean. (That of 1 + |rho|^2 is positive: the products are at least -0.18.)
 inline double least_on(const Eigen::Matrix3d& g, const Part& part) {
   const double trace = g.trace();
   const Eigen::Vector3d linear(g(2, 1) - g(1, 2), g(0, 2) - g(2, 0), g(1, 0) - g(0, 1));

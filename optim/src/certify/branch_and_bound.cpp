@@ -21,7 +21,8 @@ constexpr std::uint64_t kCellsBeforeBalls = 100;
 constexpr std::uint64_t kGeneratorsPerCell = 100;  // looked at for a ball in about the time of a cell, or less
 
 constexpr std::uint64_t kCellsBeforeFloors = 5000;  // by then the incumbent tells how flat it is
-constexpr double kProofMargin = 4e-12;                // floors are lowered by that for those who sum in another order
+constexpr double kProofMargin = 4e-12;              // floors are lowered by that for those who sum in another order
+constexpr double kProofWider = 0.01;                // and so are sweeps: others may find them a little larger
 // What floors cost, in cells.
 constexpr double kManyCells = 1e5, kCellsPerGenerator = 20;
 
@@ -189,10 +190,12 @@ bool BranchAndBound::is_flat() const {
 }
 
 void BranchAndBound::update_floors() {
-  if (flatness_is_known_ || !options_.minorants || generators_.size() == 0 || result_.cells < kCellsBeforeFloors) return;
+  if (flatness_is_known_ || !options_.minorants || generators_.size() == 0 || result_.cells < kCellsBeforeFloors)
+    return;
   flatness_is_known_ = true;
   if (!is_flat()) return;
   floors_ = std::make_unique<SupportFloor>(generators_, proof_ ? kProofMargin : 0, [this] { return stopped(); });
+  if (proof_) proof_->set_form(floors_->form());
 }
 
 void BranchAndBound::expand(Slot& slot) const {
@@ -241,7 +244,7 @@ BranchAndBound::Reason BranchAndBound::raise(Cell& cell) const {
   if (!floors_ || cell.bound >= enough_) return reason;
   const Corners corners(cell.box);
   const Rotation middle = rotation_from_rodrigues(cell.box.centre());
-  const auto sweep = [&](int axis) { return Sweep(cell.box, corners, middle, axis); };
+  const auto sweep = [&](int axis) { return Sweep(cell.box, corners, middle, axis, proof_ ? kProofWider : 0); };
   reason.floors = floors_->prove({sweep(0), sweep(1), sweep(2)}, enough_);
   if (reason.floors) cell.bound = enough_;
   return reason;

@@ -24,10 +24,12 @@ Json to_json(const Certificate::Leaf& leaf) {
 }  // namespace
 
 Json to_json(const Certificate& certificate, const std::string& mesh) {
-  Json rotation = Json::array(), directions = Json::array(), leaves = Json::array(), floors = Json::array();
+  Json rotation = Json::array(), directions = Json::array(), leaves = Json::array(), floors = Json::array(),
+       form = Json::array();
   for (int k = 0; k < 3; ++k) rotation.push_back(to_json(certificate.rotation.axis(k)));
   for (const Eigen::Vector3d& u : certificate.directions) directions.push_back(to_json(u));
   for (const Certificate::Leaf& leaf : certificate.leaves) leaves.push_back(to_json(leaf));
+  for (int i = 0; i < 3; ++i) form.push_back(to_json(Eigen::Vector3d(certificate.form.row(i).transpose())));
   for (const std::array<double, 3>& f : certificate.floors) floors.push_back({f[0], f[1], f[2]});
   return {{"format", "rectilin certificate"},
           {"version", 1},
@@ -38,7 +40,8 @@ Json to_json(const Certificate& certificate, const std::string& mesh) {
           {"tree", certificate.tree},
           {"directions", std::move(directions)},
           {"leaves", std::move(leaves)},
-          {"floors", std::move(floors)}};
+          {"floors", std::move(floors)},
+          {"form", std::move(form)}};
 }
 
 }  // namespace rectilin

@@ -28,6 +28,7 @@ void ProofTree::add_cuts(const Rotation& rotation) {
 
 Certificate ProofTree::certificate() const {
   Certificate result;
+  result.form = form_;
   constexpr std::uint32_t kUnused = ~std::uint32_t{0};
   std::vector<std::uint32_t> place(directions_.size(), kUnused);
   std::vector<std::uint32_t> open = {0};

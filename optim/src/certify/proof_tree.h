@@ -20,8 +20,11 @@ class ProofTree {
   /// `weight` are those of the cuts in the cell's bundles, as they were when it was bounded.
   void set_leaf(std::uint32_t node, const std::array<Cell::Bundle, 3>& bundles, const PerCut<double>& weight);
 
-  /// With floors of h, one an axis, as SupportFloor proves them.
+  /// With floors, one an axis, as SupportFloor proves them.
   void set_floor_leaf(std::uint32_t node, const std::array<double, 3>& floors);
+
+  /// The quadratic form of the floors.
+  void set_form(const Eigen::Matrix3d& form) { form_ = form; }
 
   /// Remembers the directions of the three cuts that a rotation gave, in the order of the cut table.
   void add_cuts(const Rotation& rotation);
@@ -42,6 +45,7 @@ class ProofTree {
   std::vector<Node> nodes_ = {Node()};
   std::vector<Certificate::Leaf> leaves_;  // directions counted as in the cut table
   std::vector<std::array<double, 3>> floors_;
+  Eigen::Matrix3d form_ = Eigen::Matrix3d::Zero();
   std::vector<Eigen::Vector3d> directions_;
 };
 

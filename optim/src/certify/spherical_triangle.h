@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
+#include <limits>
 
 namespace rectilin::bounding {
 
@@ -25,11 +27,21 @@ inline std::array<Triangle3, 4> upper_octants() {
   return {Triangle3{x, y, z}, {y, -x, z}, {-x, -y, z}, {-y, x, z}};
 }
 
-/// The minimum of a . u over the triangle if that is not negative, or else something below any: at a point
-/// u = sum a_i p_i of unit length the a_i add up to at least 1.
-inline double least_linear(const Eigen::Vector3d& a, const Triangle3& p) {
-  const double least = std::min({a.dot(p[0]), a.dot(p[1]), a.dot(p[2])});
-  return least >= 0 ? least : -a.norm();
+/// A number that g . u - u . F u does not fall below on the triangle, F symmetric, or minus infinity: its least coefficient
+/// in the coordinates a of u = sum a_i p_i, unless the sphere bulges too far from the corners' plane for that
+/// (papers/certificate.md, lemma 3). Edges must not be longer than half a radian.
+inline double least_on(const Triangle3& p, const Eigen::Vector3d& g, const Eigen::Matrix3d& form) {
+  const Eigen::Vector3d linear(g.dot(p[0]), g.dot(p[1]), g.dot(p[2]));
+  double least = std::numeric_limits<double>::infinity(), most_form = 0;
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3d image = form * p[i];
+    for (int j = 0; j <= i; ++j) {
+      const double product = image.dot(p[j]);
+      most_form = std::max(most_form, product);
+      least = std::min(least, 0.5 * (linear[i] + linear[j]) - product);
+    }
+  }
+  return linear.minCoeff() >= 2.2 * most_form ? least : -std::numeric_limits<double>::infinity();
 }
 
 }  // namespace rectilin::bounding

@@ -1,5 +1,6 @@
 #include "certify/support_floor.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,9 +10,10 @@
 namespace rectilin::bounding {
 namespace {
 
-constexpr int kFirstLevel = 3;             // whose triangles are bounded: edges of 0.2 radians
-constexpr int kFinestLevel = 20;           // edges of 1e-6 radians
-constexpr double kStartEdge = 1, kEndEdge = 0.03;  // of the triangles that cover a sweep, in units of its radius
+constexpr double kLeastRadius = 0.01;              // of sweeps, in radians; cuts alone do well on smaller ones
+constexpr int kFirstLevel = 3;                     // whose triangles are bounded: edges of 0.2 radians
+constexpr int kFinestLevel = 20;                   // edges of 1e-6 radians
+constexpr double kStartEdge = 2, kEndEdge = 0.03;  // of the triangles that cover a sweep, in units of its radius
 constexpr int kMostDivisions = 400;                // of triangles for one box
 constexpr std::size_t kMostBlocks = 1'000'000;
 constexpr double kRounding = 0x1p-44;  // of everything but the sums over faces, relative to S
@@ -23,6 +25,16 @@ int level_of_edge(double edge) {
   int level = kFirstLevel;
   while (level < kFinestLevel && edge_of(level) > edge) ++level;
   return level;
+}
+
+/// The second-degree part of h in spherical harmonics, |t| = 1/2 + 5/8 P_2(t) + ..., and as much of the unit matrix as
+/// makes it positive but no more. Zero where h varies too much for least_on().
+Eigen::Matrix3d quadratic_part(const Eigen::Matrix3d& second, double total) {
+  const Eigen::Matrix3d part = 15.0 / 16 * second;
+  const Eigen::Vector3d values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(part).eigenvalues();
+  if (values[2] - values[0] > 0.15 * total) return Eigen::Matrix3d::Zero();
+  const Eigen::Matrix3d form = part - values[0] * Eigen::Matrix3d::Identity();
+  return 0.5 * (form + form.transpose());
 }
 
 /// Whichever thread is first, all get its object; says whether it was this one.
@@ -47,8 +59,8 @@ struct SupportFloor::Node {
   int level = 0;
   const Node* above = nullptr;
   Eigen::Vector3d centre;
-  double value = std::numeric_limits<double>::infinity();  // of h at the centre
-  mutable double bound = 0;                                // h is nowhere less
+  double value = std::numeric_limits<double>::infinity();  // of h less the form, at the centre
+  mutable double bound = -1e9;                             // it is nowhere less
   mutable std::atomic<Block*> parts = nullptr;
   mutable std::atomic<Faces*> faces = nullptr;
 
@@ -61,7 +73,14 @@ struct SupportFloor::Node {
 SupportFloor::SupportFloor(const Generators& generators, double margin, std::function<bool()> stop)
     : stop_(std::move(stop)) {
   double total = 0;
-  for (std::size_t i = 0; i < generators.size(); ++i) total += generators[i].norm();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 0; i < generators.size(); ++i) {
+    const Eigen::Vector3d v = generators[i];
+    if (!(v.norm() > 0)) continue;
+    total += v.norm();
+    second += v * v.transpose() / v.norm();
+  }
+  form_ = quadratic_part(second, total);
   // A sum of K terms, in whatever order, errs by at most K roundoffs of the sum of the lengths.
   rounding_ = total * (static_cast<double>(generators.size()) * 0x1p-52 + kRounding) + margin;
   // A triangle of edge e meets 3 e / 2 pi of all great circles.
@@ -122,8 +141,8 @@ const SupportFloor::Block* SupportFloor::parts_of(const Node& node) const {
     }
     for (Node& part : *made) {
       const Eigen::Vector3d gradient = settled + faces->cut(part.centre);  // a cut is below h: so is its least value
-      part.value = gradient.dot(part.centre);
-      part.bound = std::max(node.bound, least_linear(gradient, part.corners) - rounding_);
+      part.value = gradient.dot(part.centre) - part.centre.dot(form_ * part.centre);
+      part.bound = std::max(node.bound, least_on(part.corners, gradient, form_) - rounding_);
     }
   }
   const auto [parts, mine] = install(node.parts, std::move(made));
@@ -152,8 +171,10 @@ class SupportFloor::Front {
     begin_ = level_of_edge(kStartEdge * sweep.radius());
     end_ = level_of_edge(kEndEdge * sweep.radius());
     for (const Node& octant : *floor.octants_)
-      for (const double mirror : {1.0, -1.0})  // h is even
-        if (sweep.may_meet(octant.corners, mirror)) add(floor, octant, mirror);
+      for (const double mirror : {1.0, -1.0}) {  // h is even
+        const Triangle3& p = octant.corners;
+        if (sweep.may_meet(sweep.place(p[0]), sweep.place(p[1]), sweep.place(p[2]), mirror)) add(floor, octant, mirror);
+      }
   }
 
   double bound() const { return entries_.front().bound; }
@@ -168,8 +189,7 @@ class SupportFloor::Front {
     if (!parts) return false;
     std::ranges::pop_heap(entries_, std::ranges::greater(), &Entry::bound);
     entries_.pop_back();
-    for (const Node& part : *parts)
-      if (sweep_->may_meet(part.corners, entry.mirror)) push(part, entry.mirror);
+    for_each_meeting(*parts, entry.mirror, [&](const Node& part) { push(part, entry.mirror); });
     return !entries_.empty();
   }
 
@@ -180,6 +200,18 @@ class SupportFloor::Front {
     double mirror;
   };
 
+  /// Those of the four parts that may meet the sweep. They share corners, see quarters().
+  template <class F>
+  void for_each_meeting(const Block& parts, double mirror, const F& f) const {
+    const auto place = [&](int part, int corner) { return sweep_->place(parts[part].corners[corner]); };
+    const Sweep::Place a = place(0, 0), b = place(0, 1), c = place(0, 2), p = place(1, 0), q = place(2, 1),
+                       r = place(3, 2);
+    if (sweep_->may_meet(a, b, c, mirror)) f(parts[0]);
+    if (sweep_->may_meet(p, c, b, mirror)) f(parts[1]);
+    if (sweep_->may_meet(c, q, a, mirror)) f(parts[2]);
+    if (sweep_->may_meet(b, a, r, mirror)) f(parts[3]);
+  }
+
   void push(const Node& node, double mirror) {
     if (node.value < value_ && sweep_->holds(mirror * node.centre)) value_ = node.value;
     entries_.push_back({node.bound, &node, mirror});
@@ -189,8 +221,7 @@ class SupportFloor::Front {
   void add(const SupportFloor& floor, const Node& node, double mirror) {
     const Block* parts = node.level < begin_ ? floor.parts_of(node) : nullptr;
     if (!parts) return push(node, mirror);
-    for (const Node& part : *parts)
-      if (sweep_->may_meet(part.corners, mirror)) add(floor, part, mirror);
+    for_each_meeting(*parts, mirror, [&](const Node& part) { add(floor, part, mirror); });
   }
 
   const Sweep* sweep_ = nullptr;
@@ -200,8 +231,9 @@ class SupportFloor::Front {
 };
 
 std::optional<std::array<double, 3>> SupportFloor::prove(const std::array<Sweep, 3>& sweeps, double enough) const {
-  for (const Sweep& sweep : sweeps)
-    if (!std::isfinite(sweep.radius())) return std::nullopt;
+  enough -= form_.trace();
+  const double radius = std::max({sweeps[0].radius(), sweeps[1].radius(), sweeps[2].radius()});
+  if (!std::isfinite(radius) || radius < kLeastRadius) return std::nullopt;
   thread_local std::array<Front, 3> fronts;
   for (int k = 0; k < 3; ++k) fronts[k].start(*this, sweeps[k]);
   for (int division = 0; division < kMostDivisions; ++division) {
@@ -209,7 +241,9 @@ std::optional<std::array<double, 3>> SupportFloor::prove(const std::array<Sweep,
       return std::array<double, 3>{fronts[0].bound(), fronts[1].bound(), fronts[2].bound()};
     if (fronts[0].value() + fronts[1].value() + fronts[2].value() < enough) return std::nullopt;
     Front& coarsest = *std::ranges::min_element(fronts, {}, &Front::level);
-    if (!coarsest.divide(*this)) { return std::nullopt;}
+    if (!coarsest.divide(*this)) {
+      return std::nullopt;
+    }
   }
   return std::nullopt;
 }

@@ -12,12 +12,12 @@
 namespace rectilin {
 
 /// The cube |rho_i| <= sqrt(2)-1 of Rodrigues vectors, halved again and again across the middle until a mixture of
-/// cuts bounds each part, or the least values of h where its axes point to. A cut is given by the direction it is taken in
-/// alone: who checks it sums over the faces. So are floors of h by their values.
+/// cuts bounds each part, or the least values, where its axes point to, of h less a quadratic form. A cut is given by
+/// the direction it is taken in alone: who checks it sums over the faces. So are floors by their values.
 struct Certificate {
   /// One letter a node, every node before its parts, the lower half before the upper: 'x', 'y', 'z' halve
-  /// that axis; 'l' is the next leaf; 'h' takes the next floors; 'o' lies outside the zone |rho|_1 <= 1. "f" alone stands for the
-  /// general bound: no value is below S/S = 1.
+  /// that axis; 'l' is the next leaf; 'h' takes the next floors; 'o' lies outside the zone |rho|_1 <= 1. "f" alone
+  /// stands for the general bound: no value is below S/S = 1.
   std::string tree;
 
   struct Term {
@@ -28,8 +28,10 @@ struct Certificate {
     std::vector<Term> axes[3];
   };
   std::vector<Leaf> leaves;
-  std::vector<std::array<double, 3>> floors;  ///< of h(r_k), k = 0, 1, 2, on the box; they add up to `lower` or more
-  std::vector<Eigen::Vector3d> directions;  ///< unit vectors in the mesh's coordinates
+  /// Of h(r_k) - r_k . F r_k, k = 0, 1, 2, on the box; with the trace of F they add up to `lower` or more.
+  std::vector<std::array<double, 3>> floors;
+  Eigen::Matrix3d form = Eigen::Matrix3d::Zero();  ///< F: symmetric
+  std::vector<Eigen::Vector3d> directions;         ///< unit vectors in the mesh's coordinates
 
   Rotation rotation;  ///< the incumbent
   double value = 0;   ///< the objective there
