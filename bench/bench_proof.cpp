@@ -24,7 +24,7 @@ void proof_and_guess(benchmark::State& state, const std::vector<std::string>& me
       const RunRecord proved = run_optimizer(*certify, fastest, {}), guessed = run_optimizer(*ga, flat, {});
       proof += proved.seconds;
       guess += guessed.seconds;
-      widest_gap = std::max(widest_gap, rectilinearity(*proved.lower) - proved.merit);
+      widest_gap = std::max(widest_gap, rectilinearity(*proved.value_bound) - proved.merit);
       worst_error = std::max(worst_error, proved.merit - guessed.merit);
       cuts += static_cast<double>(proved.costs.cuts);
     }

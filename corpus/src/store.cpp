@@ -1,7 +1,5 @@
 #include "rectilin/corpus/store.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
 #include <sys/vfs.h>
 #include <unistd.h>
 
@@ -10,6 +8,7 @@
 
 #include "rectilin/base/version.h"
 #include "store_access.h"
+#include "writer_lock.h"
 
 namespace rectilin::corpus {
 namespace {
@@ -61,25 +60,6 @@ bool is_local(const fs::path& file) {
       return true;
   }
 }
-
-/// One program at a time writes; a file of its own is locked, since SQLite locks the store's.
-class WriterLock {
- public:
-  explicit WriterLock(const fs::path& store) : path_(store.string() + "-lock") {
-    file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (file_ < 0) throw std::runtime_error(store.string() + ": cannot be written");
-    if (flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
-    close(file_);
-    throw std::runtime_error(store.string() + ": another program is writing to it");
-  }
-  ~WriterLock() { close(file_); }  // the file stays: removing it would let two programs lock two files of one name
-  WriterLock(const WriterLock&) = delete;
-  WriterLock& operator=(const WriterLock&) = delete;
-
- private:
-  std::string path_;
-  int file_;
-};
 
 std::int64_t pragma(Database& database, const std::string& name) {
   Statement statement(database, "PRAGMA " + name);
