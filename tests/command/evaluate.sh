@@ -31,28 +31,28 @@ stairs 0 4
 9
 nothing 0 0
 C
-run() { "$rectilin" evaluate meshes --classes all.cla -d 'd2, mine=r+0.5*d1' --out out "$@"; }
+run() { "$rectilin" evaluate meshes --classes all.cla -d 'd2, mine=r+0.5*d1' --out "${into:-scored}" "$@"; }
 expect 0 '^mine ' run
 grep -q 'no mesh file for 1 models: 9' err || fail "the missing model is named"
 grep -q 'empty classes: nothing' err || fail "the empty class is named"
 for file in index.html summary.json scores.csv classes.csv queries.csv tests.csv confusion.csv matrices/mine.matrix; do
-  [ -s out/$file ] || fail "$file"
+  [ -s scored/$file ] || fail "$file"
 done
-[ "$(stat -c %s out/matrices/d2.matrix)" -eq $((9 * 9 * 4)) ] || fail "size of the matrix"
-[ "$(paste -sd, out/matrices/d2.models)" = 0,1,2,3,4,5,6,7,8 ] || fail "rows of the matrix"
-grep -q '"missing": \[' out/summary.json || fail "missing models in the summary"
+[ "$(stat -c %s scored/matrices/d2.matrix)" -eq $((9 * 9 * 4)) ] || fail "size of the matrix"
+[ "$(paste -sd, scored/matrices/d2.models)" = 0,1,2,3,4,5,6,7,8 ] || fail "rows of the matrix"
+grep -q '"missing": \[' scored/summary.json || fail "missing models in the summary"
 
 # Again: nothing is computed anew, and every number is the same for any number of threads.
-cp -r out first; lines=$(cat out/features/*.jsonl | wc -l)
+cp -r scored first; lines=$(cat scored/features/*.jsonl | wc -l)
 expect 0 '^mine ' run --threads 1
-[ "$(cat out/features/*.jsonl | wc -l)" -eq "$lines" ] || fail "features were computed again"
-cmp -s out/matrices/mine.matrix first/matrices/mine.matrix || fail "the same distances"
-rm -r out; expect 0 '^mine ' run --threads 1
-cmp -s out/matrices/mine.matrix first/matrices/mine.matrix || fail "the same distances with one thread"
+[ "$(cat scored/features/*.jsonl | wc -l)" -eq "$lines" ] || fail "features were computed again"
+cmp -s scored/matrices/mine.matrix first/matrices/mine.matrix || fail "the same distances"
+rm -r scored; expect 0 '^mine ' run --threads 1
+cmp -s scored/matrices/mine.matrix first/matrices/mine.matrix || fail "the same distances with one thread"
 # An end in the middle of a line loses that line only.
-for file in out/features/*.jsonl; do truncate -s -20 "$file"; done
+for file in scored/features/*.jsonl; do truncate -s -20 "$file"; done
 expect 0 '^mine ' run
-cmp -s out/matrices/mine.matrix first/matrices/mine.matrix || fail "the same distances after an interruption"
+cmp -s scored/matrices/mine.matrix first/matrices/mine.matrix || fail "the same distances after an interruption"
 
 # Matrices of others, of all ten models or of the nine.
 head -c 400 /dev/zero >ten.matrix
@@ -62,11 +62,11 @@ expect 1 'bad.matrix: has 12 bytes' run --matrix bad.matrix
 
 # Weights are tuned, written and read.
 expect 0 '^ga: DCG' run --tune 'd2+r' --budget 60 --folds 3
-expect 0 '^tuned ' "$rectilin" evaluate meshes -c all.cla -d 'tuned=@out/weights.json' --out out
+expect 0 '^tuned ' "$rectilin" evaluate meshes -c all.cla -d 'tuned=@scored/weights.json' --out scored
 
 # Bad input: one line, a status, and the rest is done.
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n' >meshes/m2.off
-expect 1 'm2\.off' run --out broken
+into=broken expect 1 'm2\.off' run
 [ "$(paste -sd, broken/matrices/d2.models)" = 0,1,3,4,5,6,7,8 ] || fail "the mesh that fails is in no matrix"
 printf 'PSB 1\n1 2\na 0 1\n0\n' >counts.cla
 expect 1 'counts.cla:line' "$rectilin" evaluate meshes -c counts.cla -d d2 --out x

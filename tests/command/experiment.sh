@@ -3,7 +3,8 @@
 # Usage: experiment.sh RECTILIN
 . "$(dirname "$0")/expect.sh"
 
-names="fig1 fig5 fig6 fig7 fig8 fig9 fig10 fig11 fig12 fig13 fig14 fig15 gap shortfall"
+names="fig1 fig2 fig5 fig6 fig7 fig8 fig9 fig10 fig11 fig12 fig13 fig14 fig15 fig16 fig17 fig18 fig19 fig20 fig21 fig22
+  table1 table2 table3 table4 table5 table6 pose-accuracy gallery gap shortfall"
 expect 0 'rectilin experiment NAME' "$rectilin" experiment
 for name in $names; do
   grep -qx "$name" out || fail "$name is listed"
@@ -16,7 +17,7 @@ expect 2 'one experiment at a time' "$rectilin" experiment all shape:box
 
 # All, small: a line each, files for every picture, a page that shows them and needs nothing else.
 expect 0 'small/index.html' "$rectilin" experiment all --quick --out small
-[ "$(grep -cE '^[a-z]+[0-9]*: ' out)" -eq "$(wc -w <<<"$names")" ] || fail "a line for each experiment"
+[ "$(grep -cE '^[a-z0-9-]+: ' out)" -eq "$(wc -w <<<"$names")" ] || fail "a line for each experiment"
 for name in $names; do
   grep -q '"says": ".' "small/$name.json" || fail "$name says something"
   grep -q "id=\"$name\"" small/index.html || fail "the page has $name"

@@ -94,7 +94,7 @@ expect 0 'cloud.ply +3 +3 +3 +1\.0000000000' "$rectilin" measure --normals cloud
 { cloud 2 nx ny nz weight; printf '%s\n' '1 0 0 3' '0.6 0.8 0 4'; } >weights.ply
 expect 0 'weights.ply +2 +2 +7 ' "$rectilin" measure --normals weights.ply
 { cloud 2 nx ny nz weight; printf '%s\n' '1 0 0 3' '0.6 0.8 0 -4'; } >negative.ply
-expect 1 'negative.ply:line 9: a weight that is negative' "$rectilin" measure --normals negative.ply
+expect 1 'negative.ply:line 10: a weight that is negative' "$rectilin" measure --normals negative.ply
 { cloud 2 nx ny nz; printf '%s\n' '0 0 0' 'nan 0 0'; } >none.ply
 expect 1 'none.ply: no point has a normal' "$rectilin" measure --normals none.ply
 { cloud 5 nx ny nz; printf '%s\n' '1 0 0'; } >short.ply

@@ -23,8 +23,8 @@ cmp -s one four || fail 'other bits with other threads'
 expect 0 '' "$rectilin" pose "$box" --axes definite --write posed.ply
 expect 0 ' 0\.000 ' "$rectilin" pose --axes definite posed.ply
 mkdir meshes && "$rectilin" convert "$box" meshes/a.off && "$rectilin" convert shape:pyramid meshes/b.stl || fail convert
-expect 0 '"file":"out/b.obj"' "$rectilin" pose --json meshes --write out --format obj
-[ -s out/a.obj ] && [ -s out/b.obj ] || fail 'two files'
+expect 0 '"file":"posed/b.obj"' "$rectilin" pose --json meshes --write posed --format obj
+[ -s posed/a.obj ] && [ -s posed/b.obj ] || fail 'two files'
 expect 0 '' "$rectilin" pose shape:box 'shape:box?x=2' --write twice
 [ -s twice/box.off ] && [ -s twice/box-2.off ] || fail 'names told apart'
 expect 2 'name a folder' "$rectilin" pose meshes --write one.off

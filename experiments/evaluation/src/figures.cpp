@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "writing.h"
 
@@ -64,8 +65,8 @@ NamedPlot class_map(const Evaluation& evaluation) {
 }
 
 /// Nearest neighbours of the contestant with the largest DCG; classes that are always found, and found by none else,
-/// are left out.
-NamedPlot confusion_map(const Evaluation& evaluation) {
+/// are left out. Nothing if no class is left.
+std::optional<NamedPlot> confusion_map(const Evaluation& evaluation) {
   const auto best =
       std::ranges::max_element(evaluation.results, {}, [](const Result& r) { return r.scores.micro.dcg; });
   const auto counts = retrieval::confusion(best->matrix, evaluation.classes);
@@ -80,6 +81,7 @@ NamedPlot confusion_map(const Evaluation& evaluation) {
   std::ranges::stable_sort(shown, std::greater<>(), [&](std::size_t a) {
     return std::accumulate(counts[a].begin(), counts[a].end(), std::size_t{0}) - counts[a][a];
   });
+  if (shown.empty()) return std::nullopt;
   if (shown.size() > kMost) shown.resize(kMost);
   std::ranges::sort(shown);
   HeatMap map;
@@ -103,10 +105,11 @@ NamedPlot confusion_map(const Evaluation& evaluation) {
     }
     data.row(row);
   }
-  return {"confusion",
-          "Class of the nearest model (column) by class of the query (row), for the classes with the most mistakes. "
-          "White: never.",
-          Plot(std::move(data), map)};
+  return NamedPlot{
+      "confusion",
+      "Class of the nearest model (column) by class of the query (row), for the classes with the most mistakes. "
+      "White: never.",
+      Plot(std::move(data), map)};
 }
 
 }  // namespace
@@ -117,7 +120,7 @@ std::vector<NamedPlot> figures(const Evaluation& evaluation) {
   if (!any) return plots;
   plots.push_back(precision_recall(evaluation));
   plots.push_back(class_map(evaluation));
-  plots.push_back(confusion_map(evaluation));
+  if (auto map = confusion_map(evaluation)) plots.push_back(std::move(*map));
   return plots;
 }
 
