@@ -88,11 +88,11 @@ MirrorPlane MirrorDefect::polished(MirrorPlane plane) const {
       const Vector3& p = fine_.points[i];
       const double height = plane.normal.dot(p) - plane.offset;
       const Vector3 point = p - 2 * height * plane.normal;
-      const auto match = field_.nearest(point);
+      const Vector3 turned = fine_.normals[i] - 2 * plane.normal.dot(fine_.normals[i]) * plane.normal;
+      const auto match = field_.match(point, turned);
       if (!match) continue;
       const Vector3& m = field_.samples().normals[*match];
       const double apart = (point - field_.samples().points[*match]).dot(m);
-      const Vector3 turned = fine_.normals[i] - 2 * plane.normal.dot(fine_.normals[i]) * plane.normal;
       const double alike = m.dot(turned);
       const double weight = alike * alike * alike * alike / (1 + (apart / scale) * (apart / scale));
       // Tilting the normal by a in the direction t moves the image by -2a ((t . p) n + height t), raising the offset

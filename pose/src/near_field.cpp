@@ -9,6 +9,7 @@ namespace rectilin::pose {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr double kAnother = 0.9;   // normals with a smaller product face another way: more than 25 degrees apart
 constexpr int kReach = 3;          // in widths
 constexpr double kPerWidth = 1.5;  // cells
 
@@ -43,46 +44,73 @@ NearField::NearField(Samples samples, double width)
     origin_[k] = lower[k] - (margin + 0.381966) * cell_size_;
   }
   const std::size_t total = static_cast<std::size_t>(counts_[0]) * counts_[1] * counts_[2];
-  nearest_.assign(total, kNone);
-  std::vector<float> squares(total, std::numeric_limits<float>::max());
+  pairs_.assign(total, {kNone, kNone});
+  struct Squares {
+    float nearest = std::numeric_limits<float>::max(), other = std::numeric_limits<float>::max();
+  };
+  std::vector<Squares> squares(total);
   const std::vector<Step> steps = ball(kReach * kPerWidth);
   for (std::uint32_t i = 0; i < samples_.size(); ++i) {
     const Vector3 at = (samples_.points[i] - origin_) / cell_size_;
     const int x = static_cast<int>(at[0]), y = static_cast<int>(at[1]), z = static_cast<int>(at[2]);
     const float fx = static_cast<float>(x + 0.5 - at[0]), fy = static_cast<float>(y + 0.5 - at[1]),
                 fz = static_cast<float>(z + 0.5 - at[2]);
+    const auto faces_another_way = [&](std::uint32_t j) {
+      return std::abs(samples_.normals[i].dot(samples_.normals[j])) < kAnother;
+    };
     for (const Step& step : steps) {
       const float dx = fx + static_cast<float>(step.x), dy = fy + static_cast<float>(step.y),
                   dz = fz + static_cast<float>(step.z);
       const float square = dx * dx + dy * dy + dz * dz;
       const std::size_t c = cell(x + step.x, y + step.y, z + step.z);
-      if (square < squares[c]) {
-        squares[c] = square;
-        nearest_[c] = i;
+      Pair& known = pairs_[c];
+      Squares& apart = squares[c];
+      if (square >= apart.other) continue;
+      if (square < apart.nearest) {
+        if (known.nearest != kNone && faces_another_way(known.nearest)) {
+          known.other = known.nearest;
+          apart.other = apart.nearest;
+        }
+        known.nearest = i;
+        apart.nearest = square;
+      } else if (faces_another_way(known.nearest)) {
+        known.other = i;
+        apart.other = square;
       }
     }
   }
 }
 
-std::optional<std::size_t> NearField::nearest(const Vector3& point) const {
+const NearField::Pair* NearField::at(const Vector3& point) const {
   const Vector3 at = (point - origin_) / cell_size_;
   for (int k = 0; k < 3; ++k)
-    if (!(at[k] >= 0 && at[k] < counts_[k])) return std::nullopt;
-  const std::uint32_t i = nearest_[cell(static_cast<int>(at[0]), static_cast<int>(at[1]), static_cast<int>(at[2]))];
-  if (i == kNone) return std::nullopt;
-  return i;
+    if (!(at[k] >= 0 && at[k] < counts_[k])) return nullptr;
+  const Pair& known = pairs_[cell(static_cast<int>(at[0]), static_cast<int>(at[1]), static_cast<int>(at[2]))];
+  return known.nearest == kNone ? nullptr : &known;
+}
+
+double NearField::likeness(std::uint32_t sample, const Vector3& point, const Vector3& normal) const {
+  const Vector3 apart = point - samples_.points[sample];
+  const double above = apart.dot(samples_.normals[sample]);
+  const double beside = std::sqrt(std::max(apart.squaredNorm() - above * above, 0.0)) - samples_.patch;
+  const double square = above * above + (beside > 0 ? beside * beside : 0);
+  const double alike = normal.dot(samples_.normals[sample]);
+  return std::exp(-square / (2 * width_ * width_)) * alike * alike;
 }
 
 double NearField::likeness(const Vector3& point, const Vector3& normal) const {
-  const auto found = nearest(point);
-  if (!found) return 0;
-  const std::size_t i = *found;
-  const Vector3 apart = point - samples_.points[i];
-  const double above = apart.dot(samples_.normals[i]);
-  const double beside = std::sqrt(std::max(apart.squaredNorm() - above * above, 0.0)) - samples_.patch;
-  const double square = above * above + (beside > 0 ? beside * beside : 0);
-  const double alike = normal.dot(samples_.normals[i]);
-  return std::exp(-square / (2 * width_ * width_)) * alike * alike;
+  const Pair* known = at(point);
+  if (!known) return 0;
+  const double nearest = likeness(known->nearest, point, normal);
+  return known->other == kNone ? nearest : std::max(nearest, likeness(known->other, point, normal));
+}
+
+std::optional<std::size_t> NearField::match(const Vector3& point, const Vector3& normal) const {
+  const Pair* known = at(point);
+  if (!known) return std::nullopt;
+  const bool other =
+      known->other != kNone && likeness(known->other, point, normal) > likeness(known->nearest, point, normal);
+  return other ? known->other : known->nearest;
 }
 
 }  // namespace rectilin::pose

@@ -9,8 +9,9 @@
 
 namespace rectilin::pose {
 
-/// A grid whose cells know the nearest of many samples of a surface, up to a reach beyond which nothing counts.
-/// Samples stand for flat discs, so distances are good to much less than the distance between samples.
+/// A grid whose cells know the nearest of many samples of a surface, up to a reach beyond which nothing counts, and the
+/// nearest that faces another way, for at edges the surface has two normals. Samples stand for flat discs, so distances
+/// are good to much less than the distance between samples.
 class NearField {
  public:
   /// `width` is the standard deviation of the bell curve that turns distances into likeness; the reach is 3 of it.
@@ -20,8 +21,8 @@ class NearField {
   /// surface whose normal is n, 0 for one far away or at right angles. n of unit length.
   double likeness(const Vector3& point, const Vector3& normal) const;
 
-  /// The sample nearest to a point, roughly; nothing if it is out of reach.
-  std::optional<std::size_t> nearest(const Vector3& point) const;
+  /// The sample that is most like a point with a normal, of the two that its cell knows; nothing if out of reach.
+  std::optional<std::size_t> match(const Vector3& point, const Vector3& normal) const;
   const Samples& samples() const { return samples_; }
 
  private:
@@ -30,11 +31,17 @@ class NearField {
            static_cast<std::size_t>(x);
   }
 
+  struct Pair {
+    std::uint32_t nearest, other;  ///< of the cell's middle; kNone beyond the reach
+  };
+  const Pair* at(const Vector3& point) const;
+  double likeness(std::uint32_t sample, const Vector3& point, const Vector3& normal) const;
+
   Samples samples_;
   double width_, cell_size_;
   Vector3 origin_;
   int counts_[3];
-  std::vector<std::uint32_t> nearest_;  // of a cell's middle; kNone beyond the reach
+  std::vector<Pair> pairs_;
 };
 
 }  // namespace rectilin::pose
