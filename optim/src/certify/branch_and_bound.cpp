@@ -83,7 +83,6 @@ CertifyResult BranchAndBound::run() {
   report();
   result_.incumbent = evaluator_.incumbent();
   result_.closed = evaluator_.has_incumbent() && (heap_.empty() || facts_.floor >= cutoff_);
-  result_.largest_heap = heap_.largest();
   if (floors_) result_.floor_triangles = floors_->triangles();
   if (proof_) settle_open_cells();
   return std::move(result_);
@@ -190,7 +189,7 @@ bool BranchAndBound::is_flat() const {
 }
 
 void BranchAndBound::update_floors() {
-  if (flatness_is_known_ || !options_.minorants || generators_.size() == 0 || result_.cells < kCellsBeforeFloors)
+  if (flatness_is_known_ || !options_.floors || generators_.size() == 0 || result_.cells < kCellsBeforeFloors)
     return;
   flatness_is_known_ = true;
   if (!is_flat()) return;

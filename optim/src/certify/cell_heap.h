@@ -13,7 +13,6 @@ class CellHeap {
  public:
   bool empty() const { return heap_.empty(); }
   std::size_t size() const { return heap_.size(); }
-  std::size_t largest() const { return cells_.size(); }
 
   double least_bound() const { return heap_.empty() ? std::numeric_limits<double>::infinity() : heap_.front().bound; }
 

@@ -15,7 +15,7 @@ void CertifyOptions::bind(Parameters& table) {
       .integer("bundle", bundle, 1, bounding::Cell::kMaxBundle, "cuts kept on each axis of a box")
       .integer("descent", descent, 0, 1000, "steps of the local search from each better rotation")
       .flag("balls", balls, "certified balls round the incumbent")
-      .flag("minorants", minorants, "minorants on the sphere when there are many boxes")
+      .flag("floors", floors, "bounds of h where the axes point to when there are many boxes")
       .flag("polish", polish, "solve for the frame at which faces are parallel to axes")
       .flag("optima", optima, "find all frames within the gap");
 }
@@ -46,7 +46,7 @@ CertifyResult certify(Evaluator& evaluator, const CertifyOptions& options, Certi
   if (certificate) proof.emplace();
   CertifyResult result = bounding::BranchAndBound(evaluator, options, proof ? &*proof : nullptr).run();
   if (options.polish && evaluator.has_incumbent() && evaluator.objective().generators().size() > 0) {
-    result.active = bounding::polish(evaluator);
+    bounding::polish(evaluator);
     result.incumbent = evaluator.incumbent();
     result.lower = std::min(result.lower, result.incumbent.value);
   }
