@@ -292,6 +292,7 @@ void BranchAndBound::settle_open_cells() {
 
 /// Publishes the bound that holds now.
 void BranchAndBound::report() {
+  evaluator_.note_parts_bounded(result_.cells);
   const double value = evaluator_.incumbent().value;
   const double proved = std::min({heap_.least_bound(), least_settled_}) - allowance_;
   const double lower = std::min(std::max(proved, facts_.floor), value);
