@@ -17,10 +17,10 @@
 namespace rectilin {
 namespace {
 
-using verifying::Face;
-using verifying::Floors;
-using verifying::least_on;
-using verifying::Part;
+using verification::Face;
+using verification::Floors;
+using verification::least_on;
+using verification::Part;
 
 using PlainJson = nlohmann::json;  // the project's own keeps the order of keys, which nothing here needs
 using Matrix3 = Eigen::Matrix3d;

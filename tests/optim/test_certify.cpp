@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "certify/polish.h"
-#include "certify/polish.h"
 #include "rectilin/measure/projected_area.h"
 #include "rectilin/mesh/shapes.h"
 #include "rectilin/mesh/source.h"
@@ -202,11 +201,11 @@ TEST_CASE("polishing ends on faces parallel to at least two axes", "[certify]") 
   const ProjectedArea objective(shape("soup?faces=200"));
   Evaluator evaluator(objective);
   certify(evaluator, {.polish = false});
-  const std::vector<bounding::ActiveGenerator> active = bounding::polish(evaluator);
+  const std::vector<certification::ActiveGenerator> active = certification::polish(evaluator);
   REQUIRE(active.size() == 3);
   const Generators generators = objective.generators();
   bool two_axes = false;
-  for (const bounding::ActiveGenerator& face : active) {
+  for (const certification::ActiveGenerator& face : active) {
     const Vector3 v = generators[face.generator];
     REQUIRE(std::abs(evaluator.incumbent().rotation.axis(face.axis).dot(v)) <= 1e-12 * v.norm());
     two_axes = two_axes || face.axis != active[0].axis;

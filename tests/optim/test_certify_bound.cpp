@@ -14,7 +14,7 @@
 #include "support/random_meshes.h"
 
 using namespace rectilin;
-using namespace rectilin::bounding;
+using namespace rectilin::certification;
 
 namespace {
 

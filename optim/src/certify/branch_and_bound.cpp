@@ -7,7 +7,7 @@
 #include "certify/box_bound.h"
 #include "certify/descent.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 namespace {
 
 /// How far each Rodrigues component of the rotations asked for is off the model's minima, at most, and in units of the
@@ -189,8 +189,7 @@ bool BranchAndBound::is_flat() const {
 }
 
 void BranchAndBound::update_floors() {
-  if (flatness_is_known_ || !options_.floors || generators_.size() == 0 || result_.cells < kCellsBeforeFloors)
-    return;
+  if (flatness_is_known_ || !options_.floors || generators_.size() == 0 || result_.cells < kCellsBeforeFloors) return;
   flatness_is_known_ = true;
   if (!is_flat()) return;
   floors_ = std::make_unique<SupportFloor>(generators_, proof_ ? kProofMargin : 0, [this] { return stopped(); });
@@ -304,4 +303,4 @@ void BranchAndBound::report() {
       {result_.cells, evaluator_.costs().evaluations(), evaluator_.seconds(), value, result_.lower});
 }
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

@@ -6,7 +6,7 @@
 
 #include "certify/cell.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 
 /// A priority queue, least bound first. The heap holds handles: cells are large, and stay where they are.
 class CellHeap {
@@ -47,4 +47,4 @@ class CellHeap {
   std::vector<std::uint32_t> free_;
 };
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

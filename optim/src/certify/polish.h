@@ -5,7 +5,7 @@
 
 #include "rectilin/optim/evaluator.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 
 /// A generator that is parallel to an axis of the frame: r_axis . v = 0.
 struct ActiveGenerator {
@@ -21,4 +21,4 @@ struct ActiveGenerator {
 /// found, as on a surface of revolution.
 std::vector<ActiveGenerator> polish(Evaluator& evaluator);
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

@@ -12,7 +12,7 @@
 #include "claims/search_domain.h"
 #include "claims/views.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 
 const std::vector<ClaimTest>& claim_tests() {
   using S = const TestMesh&;
@@ -68,4 +68,4 @@ const std::vector<ClaimTest>& claim_tests() {
   return tests;
 }
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

@@ -8,7 +8,7 @@
 #include "rectilin/base/random.h"
 #include "rectilin/paper/claims.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 
 /// How a claim is tested. Tests are pure functions of their arguments, safe to call from many
 /// threads.
@@ -25,4 +25,4 @@ struct ClaimTest {
 
 const std::vector<ClaimTest>& claim_tests();
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims
