@@ -1,4 +1,4 @@
-#include "writer_lock.h"
+#include "rectilin/corpus/writer_lock.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
