@@ -12,6 +12,8 @@
 
 namespace rectilin::search {
 
+namespace html = report::html;
+
 std::string picture_page(const std::string& title, const std::string& text, const std::vector<PageSection>& sections) {
   std::map<std::string, std::string> pictures;
   for (const PageSection& section : sections)

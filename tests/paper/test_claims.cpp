@@ -35,8 +35,8 @@ TEST_CASE("every claim has a test, a file with it, and a name of its own", "[cla
     REQUIRE_FALSE(claim.why.empty());
     REQUIRE((claim.should_hold || !claim.remark.empty()));
   }
-  REQUIRE(claims_detail::claim_tests().size() == ids.size());
-  for (const auto& test : claims_detail::claim_tests()) {
+  REQUIRE(claims::claim_tests().size() == ids.size());
+  for (const auto& test : claims::claim_tests()) {
     INFO(test.claim);
     REQUIRE(ids.contains(std::string(test.claim)));
     REQUIRE((test.on_mesh || test.on_shapes));
