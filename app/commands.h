@@ -1,5 +1,5 @@
-// The subcommands of `rectilin`. Each function adds its options to the parser; the callback it sets does the
-// work and returns the exit status through `status`: 0 done, 1 some input failed.
+// The subcommands of `rectilin`. Each function adds its options to the parser, and a callback that does the work and
+// sets `status` to the exit status: 0 for success, 1 if some input failed.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,7 +7,7 @@
 namespace rectilin::app {
 
 void add_measure_command(CLI::App& app, int& status);
-/// These three put the command line itself on record.
+/// These commands record the command line in the results, so they get it.
 void add_compare_command(CLI::App& app, int& status, int argc, const char* const* argv);
 void add_evaluate_command(CLI::App& app, int& status, int argc, const char* const* argv);
 void add_experiment_command(CLI::App& app, int& status, int argc, const char* const* argv);

@@ -1,4 +1,4 @@
-// rectilin compare: optimizers against each other on meshes, on one budget, and a page that shows it.
+// rectilin compare: runs optimizers against each other on meshes, on the same budget, and makes a page of the results.
 #include <cmath>
 #include <iostream>
 #include <memory>
@@ -25,18 +25,19 @@ struct CompareOptions {
   int threads = 0;
 };
 
-/// Does an optimizer do with an objective that gives nothing but values?
+/// Can the optimizer work on an objective that offers nothing but values?
 bool asks_for_values(const Registry& registry, std::string_view spec) {
   const Capabilities needs = registry.make(spec)->capabilities();
   return !needs.needs_cuts && !needs.needs_smooth && !needs.needs_turns;
 }
 
-/// Searches for the best known value where there is no proof; and the relative width to which silhouettes are known.
+/// The search for the best known value where nothing can be proved; and the relative width to which silhouettes
+/// are computed.
 constexpr const char* kReference = "super-fibonacci?count=2000+nelder-mead";
 constexpr double kSilhouetteWidth = 1e-7;
 
-/// Optimizers worth comparing where none are named: those of this list that are there and, unless `all`, that ask for
-/// values alone.
+/// The optimizers that are compared if none are named: those of this list that the build has and, unless `all`, that
+/// need only values.
 std::vector<std::string> default_optimizers(const Registry& registry, bool all) {
   std::vector<std::string> present;
   for (const char* wish : {"ga", "gray-ga=ga?encoding=gray&selection=tournament", "grid", "random", "super-fibonacci",
@@ -99,42 +100,45 @@ void add_compare_command(CLI::App& app, int& status, int argc, const char* const
           "-o,--optimizers", options->optimizers,
           "Optimizers separated by commas or blanks; may be repeated. Each as 'rectilin optimizers' shows it, with "
           "parameters (ga?population=100), as a pipeline (grid+nelder-mead), and with the box it searches after an @ "
-          "(ga@paper, ga@zone). NAME= in front gives it another name. Default: a choice of those there are")
+          "(ga@paper, ga@zone). NAME= in front gives it another name. Default: a selection")
       ->allow_extra_args(false);
   command
       ->add_option("-k,--runs", options->plan.runs,
-                   "Runs of each optimizer on each mesh, every one on another rotation of it")
+                   "Runs of each optimizer on each mesh, each on another random rotation of it")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  command->add_option("-b,--budget", options->plan.budget, "Evaluations a run")->check(count())->capture_default_str();
-  command->add_option("-s,--seed", options->plan.seed, "Seed of rotations and runs")
+  command->add_option("-b,--budget", options->plan.budget, "Evaluations for each run")
+      ->check(count())
+      ->capture_default_str();
+  command->add_option("-s,--seed", options->plan.seed, "Seed of the rotations and the runs")
       ->check(seed())
       ->capture_default_str();
   command
       ->add_option("-d,--domain,--domains", options->domains,
                    "Box for optimizers that search one and name none: paper, covering or zone; several, separated by "
-                   "commas, make an entry of each and a table of what the domain costs")
+                   "commas, give an entry for each and a table of what the choice of domain costs")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"paper", "covering", "zone"}))
       ->capture_default_str();
-  command->add_option("-O,--out", options->out, "Folder for everything")->capture_default_str();
+  command->add_option("-O,--out", options->out, "Folder for the results")->capture_default_str();
   command
       ->add_option("--objective", options->plan.objective,
-                   "What is searched: rectilinearity, or silhouette (the summed area of three silhouettes over the "
-                   "surface's: there is no proof, so gaps are to the best value found)")
+                   "What is optimized: rectilinearity, or silhouette (the summed area of three silhouettes over the "
+                   "surface's area; nothing can be proved about it, so gaps are to the best value found)")
       ->check(CLI::IsMember({laboratory::kRectilinearity, "silhouette"}))
       ->capture_default_str();
   command
       ->add_option("-c,--certificate", options->plan.certificate,
-                   "Optimizer that bounds R of each mesh; gaps are measured against its bound")
+                   "Optimizer that proves bounds of R for each mesh; gaps are measured from them")
       ->capture_default_str();
   add_threads_option(*command, options->threads, "each run has one to itself");
   command->footer(
-      "First the optimum of each mesh is bounded by a proof; then every optimizer has the same number of evaluations\n"
-      "on the same random rotations. Runs are kept as they finish: after Ctrl-C (exit status 1) the same command goes\n"
-      "on. In the end OUT/index.html shows gaps to the optimum, runtimes, rankings and tests; beside it stand CSV and\n"
-      "JSON of all of that, and OUT/ioh for IOHanalyzer. Pictures take gnuplot.\n"
+      "First bounds of R are proved for each mesh; then every optimizer gets the same number of evaluations on the\n"
+      "same random rotations. Finished runs are kept: after Ctrl-C (exit status 1) the same command resumes where it\n"
+      "stopped. OUT/index.html shows gaps to the optimum, runtimes, rankings and tests, and OUT has the same as CSV "
+      "and\n"
+      "JSON; OUT/ioh is for IOHanalyzer. The plots need gnuplot.\n"
       "Examples: rectilin compare shape:pyramid shape:blob --runs 5 --budget 1000\n"
       "          rectilin compare meshes/ --optimizers 'ga, ga?encoding=gray, random' --out gray\n"
       "          rectilin compare chair.off --optimizers ga,grid --domains paper,covering,zone");

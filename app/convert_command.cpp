@@ -1,4 +1,4 @@
-// rectilin convert: any mesh or shape into a file of another format.
+// rectilin convert: writes any mesh or shape to a file in another format.
 #include <memory>
 
 #include "commands.h"

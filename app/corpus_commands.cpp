@@ -1,4 +1,4 @@
-// rectilin merge, export and corpus: what is done with stores.
+// rectilin merge, export and corpus: commands that work on stores.
 #include <cmath>
 #include <iostream>
 #include <memory>
@@ -15,7 +15,7 @@
 namespace rectilin::app {
 namespace {
 
-/// Hours and minutes, for what takes that long.
+/// A duration in hours and minutes, if it is that long.
 std::string duration(double seconds) {
   if (seconds < 100) return fixed(seconds, 0) + " s";
   if (seconds < 6000) return fixed(seconds / 60, 0) + " min";
@@ -26,7 +26,7 @@ int merge_stores(const std::vector<std::string>& stores, const std::string& targ
   const std::vector<std::filesystem::path> files(stores.begin(), stores.end());
   const corpus::MergeSummary summary = corpus::merge(files, target);
   for (const corpus::Conflict& conflict : summary.first)
-    complain(conflict.name + " in " + conflict.store + ": " + conflict.reason + "; what was there stays");
+    complain(conflict.name + " in " + conflict.store + ": " + conflict.reason + "; the target keeps its own");
   std::cout << target << ": " << summary.rows << " meshes, " << summary.added << " added, " << summary.conflicts
             << " conflicts\n";
   return summary.conflicts > 0 ? 1 : 0;
@@ -87,11 +87,11 @@ void add_merge(CLI::App& app, int& status) {
     std::string target;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("merge", "Put the stores of shards together");
+  CLI::App* command = app.add_subcommand("merge", "Merge stores, such as those of shards");
   command->add_option("store", options->stores, "Stores, written by 'rectilin measure -o FILE.db'")->required();
   command->add_option("-o,-O,--out", options->target, "Store to add them to; made if it does not exist")->required();
   command->footer(
-      "Of a mesh in several stores the row that says most is taken; doing it twice changes nothing. Results that\n"
+      "If several stores have a mesh, the row that says most is kept; merging twice changes nothing. Results that\n"
       "differ are conflicts: they are reported, and the exit status is 1.\n"
       "Example: rectilin merge shard-*.db -o all.db");
   command->callback([options, &status] { status = merge_stores(options->stores, options->target); });
@@ -129,7 +129,7 @@ void add_export(CLI::App& app, int& status) {
 void add_corpus_commands(CLI::App& app, int& status) {
   add_merge(app, status);
   add_export(app, status);
-  CLI::App* corpus = app.add_subcommand("corpus", "How far runs on a corpus are");
+  CLI::App* corpus = app.add_subcommand("corpus", "Progress of runs on a corpus");
   corpus->require_subcommand(1);
 
   struct Options {
@@ -143,7 +143,7 @@ void add_corpus_commands(CLI::App& app, int& status) {
   show->callback([options, &status] { status = show_status(options->stores, options->check); });
 
   CLI::App* worker = corpus->add_subcommand("worker", "");
-  worker->group("");  // not shown: run by the program itself
+  worker->group("");  // not shown in the help: the program runs it itself
   worker->callback([&status] {
     const auto limit = limit_threads(1);
     status = corpus::run_worker(3, make_work);

@@ -16,7 +16,7 @@
 namespace rectilin::app {
 namespace {
 
-/// Times differ between equal runs, and the rows have their own.
+/// Results leave out times, which differ between equal runs; the rows of the store have columns for them.
 constexpr const char* kTimes[] = {"seconds", "cpu_seconds", "threads"};
 
 corpus::Work measure_work(const Json& settings, std::optional<double> seconds) {
@@ -41,10 +41,9 @@ corpus::Work measure_work(const Json& settings, std::optional<double> seconds) {
 }  // namespace
 
 void add_corpus_options(CLI::App& command, CorpusArguments& arguments) {
-  command.add_option(
-      "-O,--out", arguments.store,
-      "Store FILE.db to write results to instead of printing them; -o FILE.db says the same. Meshes that "
-      "are in it are not done again");
+  command.add_option("-O,--out", arguments.store,
+                     "Store FILE.db to write results to instead of printing them; the same as -o FILE.db. Meshes that "
+                     "are in it are not done again");
   command
       .add_option("--shard", arguments.shard,
                   "Part I/N of the meshes, 0 <= I < N, chosen by their names (with a store)")
@@ -53,7 +52,7 @@ void add_corpus_options(CLI::App& command, CorpusArguments& arguments) {
       .add_option("--memory", arguments.memory,
                   "Memory at most, per mesh, in bytes or with a unit (500M, 2G); with a store, like all that follows")
       ->transform(CLI::AsSizeValue(false));
-  command.add_flag("--retry", arguments.retry, "Do again what failed, took too long or took too much memory");
+  command.add_flag("--retry", arguments.retry, "Do meshes again that failed, took too long or took too much memory");
   command.add_option("--done", arguments.done, "Stores whose meshes need not be done again");
 }
 
@@ -87,7 +86,7 @@ int work_into_store(const std::vector<std::string>& sources, const corpus::Task&
       corpus::run_corpus(meshes, shard, store, task, options, {stop_on_interrupt(), on_progress});
   if (progress) progress->clear();
   std::cout << arguments.store << ": " << summary.done << " done";
-  if (summary.copied > 0) std::cout << " (" << summary.copied << " of them the same as others)";
+  if (summary.copied > 0) std::cout << " (" << summary.copied << " of them equal to others)";
   std::cout << ", " << summary.failed << " failed, " << summary.limited << " limited, " << summary.before
             << " were there before\n";
   if (summary.left > 0) complain("stopped: " + std::to_string(summary.left) + " meshes are left");

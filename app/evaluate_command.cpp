@@ -1,4 +1,4 @@
-// rectilin evaluate: how well descriptors find models of the query's class.
+// rectilin evaluate: how well descriptors find models of the same class as the query.
 #include <cmath>
 #include <iostream>
 #include <memory>

@@ -1,4 +1,4 @@
-// rectilin experiment: the paper's figures again, each as a reproducible program.
+// rectilin experiment: makes the paper's figures again, each by a reproducible program.
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -37,8 +37,8 @@ void list() {
   }
   std::cout << "\nSettings go behind the name: rectilin experiment 'fig15?steps=1000'\n"
                "Meshes come next, if it takes any: rectilin experiment fig13 teapot.obj dragon.obj\n"
-               "Pictures, data and index.html, which shows all experiments made so far, go to the\n"
-               "folder 'figures' or what --out says.\n";
+               "Pictures, data and index.html, which shows all experiments run so far, are written to\n"
+               "the folder 'figures' or the one given with --out.\n";
 }
 
 class Runner {
@@ -52,7 +52,7 @@ class Runner {
     context_.stop = stop_on_interrupt();
   }
 
-  /// Returns the exit status.
+  /// Runs one experiment and returns the exit status.
   int run(const paper::Experiment& experiment, const Json& given) {
     Json settings = options_.quick ? experiment.quick : Json::object();
     settings.update(given);
@@ -113,12 +113,13 @@ void add_experiment_command(CLI::App& app, int& status, int argc, const char* co
   command->add_option("mesh", options->meshes,
                       "Mesh files, folders of them, built-in shapes (shape:NAME?key=value), for "
                       "experiments that take meshes; without, they make their own");
-  command->add_option("-O,--out", options->out, "Folder for everything")->capture_default_str();
+  command->add_option("-O,--out", options->out, "Folder for the results")->capture_default_str();
   command->add_option("-s,--seed", options->seed, "Seed of everything random")->check(seed())->capture_default_str();
   command->add_option("-g,--gap", options->gap, "Width to which R is certified (default: 1e-6)")
       ->check(width_of_interval());
   command->add_option("--classes", options->classes, "Classes of the models (.cla), for experiments that take them");
-  command->add_flag("-q,--quick", options->quick, "Small: about a second for each experiment, and a gap of 1e-3");
+  command->add_flag("-q,--quick", options->quick,
+                    "Small settings: about a second for each experiment, and a gap of 1e-3");
   add_threads_option(*command, options->threads, "the answer is the same for any");
   command->footer(
       "Every R is certified. OUT/NAME.json holds all numbers; each picture has a CSV file beside it, and a gnuplot "

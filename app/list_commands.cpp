@@ -1,4 +1,4 @@
-// rectilin optimizers, rectilin poses, rectilin shapes: what there is, with every parameter.
+// rectilin optimizers, poses, shapes, descriptors: lists of what there is, with every parameter.
 #include <algorithm>
 #include <iostream>
 
@@ -12,7 +12,7 @@
 namespace rectilin::app {
 namespace {
 
-/// `{"local": true, ...}` as the words that are true.
+/// From `{"local": true, ...}`, the names of the flags that are true.
 std::string words(const Json& flags) {
   std::string text;
   for (const auto& [name, value] : flags.items())
@@ -21,7 +21,7 @@ std::string words(const Json& flags) {
   return text;
 }
 
-/// `capabilities(entry)` is an object of flags, empty if there are none to tell.
+/// Prints a list. `capabilities(entry)` returns an object of flags, empty if there is nothing to tell.
 template <class Entries, class Capabilities>
 void list(const Entries& entries, bool json, Capabilities capabilities) {
   for (const auto& entry : entries) {

@@ -1,4 +1,4 @@
-// rectilin: the command line. Parses, calls the libraries, prints.
+// rectilin: the command line. It parses options, calls the libraries and prints.
 #include <exception>
 #include <filesystem>
 
@@ -38,13 +38,13 @@ int main(int argc, char** argv) {
   add_list_commands(app);
 
   app.failure_message([](const CLI::App*, const CLI::Error& e) {
-    return "rectilin: " + rectilin::printable(e.what()) + " (--help tells what there is)\n";
+    return "rectilin: " + rectilin::printable(e.what()) + " (see --help)\n";
   });
   try {
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
-      // CLI11 prints help to standard output with status 0, complaints to standard error.
+      // CLI11 prints help to standard output, with status 0, and error messages to standard error.
       if (app.exit(e) != 0) return 2;
     }
     check_output();

@@ -1,4 +1,4 @@
-// rectilin measure: from files and shapes to R(M).
+// rectilin measure: R(M) and the pose of files and shapes.
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -35,14 +35,14 @@ struct MeasureCommand {
   CorpusArguments corpus;
 };
 
-/// The sources in the list on standard input.
+/// Reads the list of sources on standard input.
 std::vector<std::string> listed_sources() {
   std::ostringstream list;
   if (std::cin.peek() != std::istream::traits_type::eof()) list << std::cin.rdbuf();
   return sources_in_list(list.view(), "standard input");
 }
 
-/// What to do with each mesh.
+/// The options of measure() that the command line asks for.
 rectilin::MeasureOptions options_of(const MeasureCommand& command) {
   rectilin::MeasureOptions options = measure_options(command.optimizer, all_optimizers());
   if ((command.gap || command.optima || !command.proof.empty()) && options.optimizer)
@@ -56,15 +56,15 @@ rectilin::MeasureOptions options_of(const MeasureCommand& command) {
   return options;
 }
 
-/// A proof must not take the place of a mesh.
+/// Refuses to write a proof over a mesh.
 void check_proof(const std::string& proof, const std::vector<std::string>& sources) {
   if (sources.size() > 1) throw ParameterError("--proof is for one mesh at a time");
-  std::error_code ignored;  // if one of them does not exist they are different
+  std::error_code ignored;  // if one of the two does not exist they are different files
   if (format_of_extension(proof) || std::filesystem::equivalent(proof, sources.front(), ignored))
-    throw ParameterError("--proof " + proof + ": the proof would be written over a mesh, or look like one");
+    throw ParameterError("--proof " + proof + ": the proof would replace a mesh or look like one");
 }
 
-/// -o names an optimizer or, ending in .db, a store; both may be given.
+/// Takes the values of -o: an optimizer or, ending in .db, a store; both may be given.
 void take_o(MeasureCommand& command) {
   bool has_optimizer = false;
   for (const std::string& value : command.o) {
@@ -76,7 +76,7 @@ void take_o(MeasureCommand& command) {
   }
 }
 
-/// What the rows of a store are results of: all that a result depends on.
+/// The task of a store: everything that a result depends on.
 corpus::Task corpus_task(const MeasureCommand& command) {
   const Budget& budget = command.budget;
   return {"measure",
@@ -100,14 +100,14 @@ std::vector<std::string> named_sources(const std::vector<std::string>& named) {
 }
 
 int run_into_store(const MeasureCommand& command) {
-  if (command.json || !command.proof.empty()) throw ParameterError("--json and --proof do not go with a store");
-  options_of(command);  // complains of what the workers would, before there are any
+  if (command.json || !command.proof.empty()) throw ParameterError("--json and --proof cannot be used with a store");
+  options_of(command);  // throws for wrong options before any workers are started
   const Budget& budget = command.budget;
   return work_into_store(named_sources(command.sources), corpus_task(command), command.corpus,
                          budget.limits_seconds() ? std::optional(budget.seconds) : std::nullopt, command.threads);
 }
 
-/// How far a search is that takes its time.
+/// Text that says how far a slow search is.
 std::string state_of(const Evaluator& run) {
   std::string text = fixed(run.seconds(), 0) + " s, " + std::to_string(run.costs().evaluations()) + " evaluations";
   if (run.parts_bounded() > 0) text += ", " + std::to_string(run.parts_bounded()) + " boxes bounded";
@@ -126,7 +126,7 @@ MeasuredMesh measure_mesh(const std::string& source, const rectilin::MeasureOpti
   return measured;
 }
 
-/// A point cloud with normals.
+/// Measures a point cloud with normals.
 MeasuredMesh measure_normals(const std::string& source, const rectilin::MeasureOptions& options) {
   const WeightedNormals cloud = read_normals(source);
   const ProjectedArea objective(area_vectors_of_normals(cloud.normals, cloud.weights));
@@ -185,12 +185,12 @@ void add_measure_command(CLI::App& app, int& status) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->default_str(options->optimizer);
-  command->add_option("-g,--gap", options->gap, "Width to which certify encloses R (default: 1e-6)")
+  command->add_option("-g,--gap", options->gap, "Width to which R is certified (default: 1e-6)")
       ->check(width_of_interval());
   command
       ->add_option("-p,--proof", options->proof,
-                   "File for a proof of the bounds, one mesh; 'rectilin verify' checks it")
-      ->check([](const std::string& file) { return file.empty() ? "a proof needs a file's name" : ""; });
+                   "File to write a proof of the bounds to (one mesh); 'rectilin verify' checks it")
+      ->check([](const std::string& file) { return file.empty() ? "a proof needs a file name" : ""; });
   command->add_flag(
       "--normals", options->normals,
       "The sources are point clouds: PLY files with nx, ny, nz, and weight or area if they have it. R and "

@@ -1,4 +1,4 @@
-// The rows of `rectilin measure`: a table or lines of JSON.
+// Prints the results of `rectilin measure`: a table, or one line of JSON for each mesh.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace rectilin::app {
 
-/// A mesh measured, with what its reader had to say.
+/// The result for a mesh, with what its reader had to say.
 struct MeasuredMesh {
   Rectilinearity result;
   MeshReport report;
-  std::string proof;  ///< the text of one, if it was asked for
+  std::string proof;  ///< the text of the proof, if one was asked for
 };
 
 /// Prints rows in the order of the sources.
@@ -22,8 +22,8 @@ class MeasurePrinter {
  public:
   MeasurePrinter(const std::vector<std::string>& sources, bool json);
 
-  /// An error costs one line on standard error. Throws std::runtime_error if standard output cannot be written, as
-  /// later results would be lost as well.
+  /// Prints a row; an error becomes one line on standard error. Throws std::runtime_error if standard output cannot be
+  /// written, because later results would be lost as well.
   void print(const std::string& name, const Outcome<MeasuredMesh>& row);
   std::size_t failed() const { return failed_; }
 

@@ -1,4 +1,4 @@
-// What the commands' options share: checks of numbers, and --threads.
+// Options that several commands have: checks of numbers, and --threads.
 #pragma once
 
 #include <tbb/global_control.h>
@@ -11,7 +11,8 @@
 
 namespace rectilin::app {
 
-/// Passes text that is a `Number` as a whole and `accepts`; else complains that the value `is not what`.
+/// A check that accepts text which is a `Number` as a whole and satisfies `accepts`; for other text the message is that
+/// the value `is not what`.
 template <class Number, class Accepts>
 CLI::Validator number_check(const std::string& what, Accepts accepts) {
   return {[what, accepts](const std::string& text) {
@@ -36,13 +37,13 @@ inline CLI::Validator seed() {
   return number_check<std::uint64_t>("a whole number from 0", [](std::uint64_t) { return true; });
 }
 
-/// `note` ends the option's help.
+/// Adds the option --threads; its help ends with `note`.
 inline void add_threads_option(CLI::App& command, int& threads, const std::string& note) {
   command.add_option("-t,--threads", threads, "Threads (default: all); " + note)
       ->check(number_check<int>("a number of threads from 1 to 4096", [](int n) { return 1 <= n && n <= 4096; }));
 }
 
-/// Keeps TBB to so many threads while it lives; to all if 0.
+/// Limits TBB to that many threads as long as it lives; 0 means no limit.
 inline tbb::global_control limit_threads(int threads) {
   constexpr auto kLimit = tbb::global_control::max_allowed_parallelism;
   return {kLimit, threads > 0 ? static_cast<std::size_t>(threads) : tbb::global_control::active_value(kLimit)};

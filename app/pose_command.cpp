@@ -1,4 +1,4 @@
-// rectilin pose: from meshes to poses, and to meshes in their pose.
+// rectilin pose: the poses of meshes, and meshes written in their pose.
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -27,8 +27,8 @@ namespace {
 namespace fs = std::filesystem;
 using pose::AxisRule;
 
-constexpr double kSilhouettes = 1e-4;     // relative width to which areas in the table are known
-constexpr std::size_t kSheetLimit = 500;  // meshes on a contact sheet
+constexpr double kSilhouettes = 1e-4;     // relative width of the areas in the table
+constexpr std::size_t kSheetLimit = 500;  // largest number of meshes on a contact sheet
 
 struct PoseOptions {
   std::vector<std::string> sources;
@@ -45,7 +45,7 @@ struct Posed {
   double area = 0;
   MeshReport report;
   std::string file;                     ///< where the posed mesh was written
-  std::array<std::string, 3> pictures;  ///< if there is to be a contact sheet
+  std::array<std::string, 3> pictures;  ///< set if there is to be a contact sheet
 };
 
 const std::vector<std::pair<std::string, AxisRule>> kRules = {{"free", AxisRule::kFree},
@@ -57,7 +57,8 @@ AxisRule rule_of(const std::string& name) {
   return std::ranges::find(kRules, name, &std::pair<std::string, AxisRule>::first)->second;
 }
 
-/// A file for each source: `target` itself for one source if it is named like a mesh, else a file in that folder.
+/// The file to write for each source: `target` itself for a single source if it has the extension of a mesh, otherwise
+/// a file in that folder.
 std::vector<std::string> targets(const PoseOptions& options, const std::vector<std::string>& sources) {
   if (options.write.empty()) return std::vector<std::string>(sources.size());
   if (format_of_extension(options.write) && !fs::is_directory(options.write)) {
@@ -81,7 +82,7 @@ std::vector<std::string> targets(const PoseOptions& options, const std::vector<s
   return files;
 }
 
-/// A mesh must not be written over what it was read from, or over another source still to be read.
+/// Refuses to write a mesh over the file it was read from, or over another source that is still to be read.
 void check_targets(const std::vector<std::string>& targets, const std::vector<std::string>& sources) {
   for (const std::string& target : targets)
     for (const std::string& source : sources) {

@@ -1,4 +1,4 @@
-// rectilin render: pictures of meshes from a sphere of directions.
+// rectilin render: pictures of meshes from directions spread over a sphere.
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -32,8 +32,8 @@ struct RenderCommand {
   int threads = 0;
 };
 
-/// A folder's name from a source's: the file's stem, or the shape's text, without what shells and systems dislike; with
-/// a number if an earlier source has that name, whatever the case of its letters.
+/// Names of folders for the sources: the stem of the file or the text of the shape, without characters that shells or
+/// file systems dislike. A number is added if an earlier source has the same name, ignoring case.
 std::vector<std::string> folder_names(const std::vector<std::string>& sources) {
   std::map<std::string, int> taken;
   std::vector<std::string> names;
@@ -79,7 +79,7 @@ struct Rendered {
   render::Ball ball;
 };
 
-/// All views of one mesh and the sheet of them, into a folder of their own.
+/// Renders all views of one mesh, and a sheet of them, into a folder of their own.
 Rendered render_source(const std::string& source, const std::filesystem::path& folder, const render::ViewSphere& sphere,
                        const RenderCommand& options, const std::stop_token& stop) {
   const Mesh mesh = load_mesh(source).mesh;
@@ -153,7 +153,7 @@ int run(RenderCommand options) {
         {stop, [&](std::size_t done, std::size_t, const std::string& text) { progress.show(done, text); }});
   } catch (const Stopped&) {
     progress.clear();
-    complain("stopped: what is written is whole");
+    complain("stopped: the files written so far are complete");
     return 1;
   }
   if (delivered < sources.size())

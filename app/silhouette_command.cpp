@@ -1,4 +1,4 @@
-// rectilin silhouette: areas of projections, enclosed.
+// rectilin silhouette: certified intervals for the areas of projections.
 #include <charconv>
 #include <iostream>
 #include <memory>
@@ -18,7 +18,7 @@ namespace rectilin::app {
 namespace {
 
 constexpr int kDigits = 12;
-constexpr double kOutward = 6e-12;  // more than rounding to so many digits changes
+constexpr double kOutward = 6e-12;  // relative; more than rounding to the printed digits can change
 
 struct SilhouetteCommand {
   std::vector<std::string> sources, directions;
@@ -30,7 +30,7 @@ struct SilhouetteCommand {
   int threads = 0;
 };
 
-/// x,y,z: three finite numbers, not all zero.
+/// Reads a direction x,y,z: three finite numbers that are not all zero.
 Vector3 parse_direction(const std::string& text) {
   Vector3 direction;
   const char* at = text.data();

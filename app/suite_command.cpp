@@ -1,4 +1,4 @@
-// rectilin suite: fixed problems for programs in any language, and their results on a comparison's page.
+// rectilin suite: fixed problems for programs in any language, whose results can be added to the page of a comparison.
 #include <iostream>
 #include <memory>
 
@@ -21,7 +21,7 @@ struct SuiteOptions {
   int threads = 0;
 };
 
-/// One suite's name, or meshes.
+/// The suite that is meant: a suite's name, or meshes.
 laboratory::Suite chosen(const std::vector<std::string>& what) {
   for (const laboratory::Suite& suite : laboratory::suites())
     if (what.size() == 1 && what.front() == suite.name) return suite;

@@ -32,10 +32,10 @@ std::stop_source& interrupt_source() {
   return source;
 }
 
-std::atomic<bool> can_stop = false;  ///< somebody listens to the token
+std::atomic<bool> can_stop = false;  ///< somebody has asked for the token
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-/// Ends the program as the signal does by itself, but leaves no unfinished files.
+/// Ends the program as the signal would, but removes unfinished files first.
 void end(int number) {
   remove_unfinished_files();
   std::signal(number, SIG_DFL);
@@ -44,10 +44,10 @@ void end(int number) {
 
 void stop_or_end(int number) {
   if (!can_stop.exchange(false)) return end(number);
-  interrupt_source().request_stop();  // no callbacks are registered: an atomic store
+  interrupt_source().request_stop();  // safe in a handler: without callbacks this only sets an atomic flag
 }
 
-/// A word as a shell reads it.
+/// A word, quoted so that a shell reads it back.
 std::string shell_word(const std::string& word) {
   constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_@%+=:,./-";
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
@@ -62,7 +62,7 @@ std::string shell_word(const std::string& word) {
       quoted.append("\\").append(1, c);
     } else if (byte >= 0x20 && byte < 0x7F) {
       quoted += c;
-    } else {  // three octal digits: no digit that follows can be taken for one of them
+    } else {  // always three octal digits, so that a digit that follows is not taken for one of them
       char code[8];
       std::snprintf(code, sizeof code, "\\%03o", static_cast<unsigned>(byte));
       quoted += code;
@@ -164,7 +164,7 @@ void check_output() {
 }
 
 void clean_up_on_signals() {
-  interrupt_source();  // made before the handler can ask for it
+  interrupt_source();  // must exist before the handler can use it
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXCPU, SIGXFSZ}) {
     struct sigaction before {};
     sigaction(number, nullptr, &before);

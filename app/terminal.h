@@ -1,4 +1,4 @@
-// What the commands share in talking to a person: progress, tables, Ctrl-C.
+// What the commands share when they talk to people: progress, tables, error messages, Ctrl-C.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,11 @@
 
 namespace rectilin::app {
 
-/// "12 s left: " or "3 min left: ", to begin a text of progress with; nothing if the number is not finite.
+/// "12 s left: " or "3 min left: ", to put in front of a progress message; empty if the number is not finite.
 std::string time_left(double seconds);
 
-/// A line that says how far things are, rewritten in place on standard error. Says nothing if standard error
-/// is not a terminal. Thread safe.
+/// A progress line on standard error that is rewritten in place. It stays silent if standard error is not a terminal.
+/// Thread safe.
 class Progress {
  public:
   explicit Progress(std::size_t total);
@@ -25,15 +25,15 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Shows "[done/total] text", the text made printable and cut.
+  /// Shows "[done/total] text"; the text is made printable and shortened.
   void show(std::size_t done, const std::string& text);
-  /// The same with what was last said to be done: how one item is getting on.
+  /// Shows another text with the last count: how the current item is getting on.
   void note(const std::string& text);
-  /// Calls show() for a loop over many items.
+  /// A function that calls show(), for loops over many items.
   OnProgress shown() {
     return [this](std::size_t done, std::size_t, const std::string& text) { show(done, text); };
   }
-  /// Removes the line, so that something else can be printed.
+  /// Removes the line so that something else can be printed.
   void clear();
 
  private:
@@ -45,12 +45,13 @@ class Progress {
   bool shown_ = false;
 };
 
-/// Rows of text in columns of fixed width; the first column is flush left, the others right. Cells are made printable.
+/// A table of text with columns of fixed width: the first column is left-aligned, the others right-aligned. Cells are
+/// made printable.
 class Table {
  public:
   struct Column {
     std::string title;
-    std::size_t width;  ///< at least, in columns of the terminal; the title's length counts, too
+    std::size_t width;  ///< least width in columns of the terminal; a longer title makes it wider
   };
   explicit Table(std::vector<Column> columns);
 
@@ -61,37 +62,37 @@ class Table {
   std::vector<Column> columns_;
 };
 
-/// x with `digits` digits behind the point.
+/// x with `digits` digits after the decimal point.
 std::string fixed(double x, int digits);
 /// x with `digits` significant digits.
 std::string general(double x, int digits);
 
-/// The words of a command line, quoted so that a shell reads them as they were: in single quotes where POSIX needs
-/// them, in $'...' where a word has characters that cannot be shown.
+/// A command line as text, quoted so that a shell reads the same words back: in single quotes where POSIX needs them,
+/// in $'...' where a word has characters that cannot be shown.
 std::string quoted_command_line(int argc, const char* const* argv);
 
-/// A line for each setting: name, default, help.
+/// A line for each setting with its name, default and help.
 std::string settings_table(const std::vector<Parameters::Description>& settings);
 
-/// The widest of texts as a table shows them.
+/// The width of the widest text, as a table shows it.
 std::size_t widest(const std::vector<std::string>& texts);
 
-/// Complains on standard error, in one line that begins with the program's name; control characters are shown, not
-/// obeyed (see printable()).
+/// Prints an error message on standard error: one line that begins with the program's name. Control characters are
+/// shown, not obeyed (see printable()).
 void complain(const std::string& message);
 
-/// Complains of what a reader left out of a mesh, if there is something: "NAME: " and summary() of the report.
+/// Prints what a reader left out of a mesh, if anything: "NAME: " and summary() of the report.
 void complain_of_loss(const std::string& name, const MeshReport& report);
 
-/// A token that Ctrl-C (SIGINT), SIGTERM and SIGHUP stop. The second of them ends the program, as the first does as
-/// long as nobody has asked for the token. Signals that are ignored when the program starts stay ignored. What ends the
-/// program leaves no unfinished files.
+/// A token that is stopped by Ctrl-C (SIGINT), SIGTERM and SIGHUP. A second signal ends the program; until somebody has
+/// asked for the token, so does the first. Signals that were ignored when the program started stay ignored. A signal
+/// that ends the program leaves no unfinished files behind.
 std::stop_token stop_on_interrupt();
 
-/// Sees to it that a signal leaves no unfinished files; to be called first of all.
+/// Makes sure that signals leave no unfinished files behind; must be called first in main().
 void clean_up_on_signals();
 
-/// Sends out what was printed to standard output; throws std::runtime_error if that fails.
+/// Flushes standard output; throws std::runtime_error if that fails.
 void check_output();
 
 }  // namespace rectilin::app

@@ -1,4 +1,4 @@
-// rectilin validate: the paper's claims, tested.
+// rectilin validate: tests the paper's claims.
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -23,7 +23,7 @@ struct ValidateOptions {
   bool json = false, markdown = false, list = false;
 };
 
-/// Writes the mesh and the rotation of a claim's decisive finding; the mesh's path.
+/// Writes the mesh and the rotation of a claim's decisive finding; returns the path of the mesh.
 std::string write_counterexample(const paper::ClaimResult& result, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   const std::string mesh = (folder / (result.claim->id + ".off")).string();
@@ -40,7 +40,7 @@ std::string write_counterexample(const paper::ClaimResult& result, const std::fi
   return mesh;
 }
 
-/// A claim about rotations or angles alone has no mesh to show.
+/// Is there a mesh to show? Not for claims about rotations or angles alone.
 bool has_mesh(const paper::Finding& finding) {
   return finding.mesh || finding.where.starts_with("shape:") || std::filesystem::exists(finding.where);
 }
@@ -121,7 +121,7 @@ int run_validation(ValidateOptions options) {
       if (result.verdict == paper::ClaimVerdict::kFails && has_mesh(result.decisive))
         mesh = write_counterexample(result, options.out);
     } catch (const std::exception& e) {
-      errors.push_back(e.what());  // the verdicts are worth more than the file
+      errors.push_back(e.what());  // go on: the verdicts matter more than this file
     }
     list.push_back(to_json(result, mesh));
   }
@@ -132,7 +132,7 @@ int run_validation(ValidateOptions options) {
   for (const paper::ClaimResult& result : validation.results)
     if (result.claim->should_hold && result.verdict == paper::ClaimVerdict::kFails)
       complain(result.claim->id + " fails: " + result.decisive.where);
-  if (!validation.complete) complain("stopped: the verdicts rest on what was tested until then");
+  if (!validation.complete) complain("stopped: the verdicts rest on what was tested so far");
   return validation.as_expected() && errors.empty() && validation.complete ? 0 : 1;
 }
 
@@ -150,7 +150,8 @@ void add_validate_command(CLI::App& app, int& status) {
       ->check(seed())
       ->capture_default_str();
   command
-      ->add_option("-O,--out", options->out, "Folder for counterexamples, made if there are any: a mesh and a rotation")
+      ->add_option("-O,--out", options->out,
+                   "Folder for counterexamples (a mesh and a rotation), made if there are any")
       ->capture_default_str();
   add_threads_option(*command, options->threads, "the verdicts are the same for any");
   command->add_flag("-j,--json", options->json, "A list of JSON objects instead of the table");

@@ -1,4 +1,4 @@
-// rectilin verify: is a proof of R(M) right?
+// rectilin verify: checks a proof of R(M).
 #include <iostream>
 #include <memory>
 
@@ -21,7 +21,7 @@ int verify(const std::string& proof, const std::string& source) {
     return 1;
   }
   std::cout << "accepted: R is between " << fixed(verdict.lower, 10) << " and " << fixed(verdict.upper, 10) << " ("
-            << verdict.leaves << " leaves, " << verdict.directions << " directions)\n";
+            << verdict.leaves << " leaves, " << verdict.cuts << " cuts)\n";
   return 0;
 }
 

@@ -16,12 +16,12 @@ function(rectilin_target name)
   endif()
 endfunction()
 
-# A house, that is a library of the project: the target rectilin_NAME, exported as rectilin::NAME, headers in include/.
-#   SOURCES   its files
-#   HOUSES    the houses whose headers its own headers include; linked
-#   APART     its sources have names in common that are private to each: never compiled as one, see rectilin_unite()
-#   COLD      its own code takes next to no time when it runs: see rectilin_cold()
-#   PACKAGES  packages that a program which links it must find, beyond those of HOUSES: "NAME" or "NAME VERSION"
+# Adds a house, a library of the project: the target rectilin_NAME, exported as rectilin::NAME, with headers in include/.
+#   SOURCES   its source files
+#   HOUSES    the houses that it uses; linked
+#   APART     never compile its sources as one (see rectilin_unite()): private names occur in several of them
+#   COLD      its code takes next to no time when it runs, so it is optimized less (see rectilin_cold())
+#   PACKAGES  packages that its users must find, in addition to those of HOUSES: "NAME" or "NAME VERSION"
 function(rectilin_library name)
   cmake_parse_arguments(PARSE_ARGV 1 house "APART;COLD" "" "SOURCES;HOUSES;PACKAGES")
   set(target rectilin_${name})
@@ -51,8 +51,8 @@ function(rectilin_library name)
   install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endfunction()
 
-# Eigen and the JSON library are most of what a source compiles: targets share a precompiled header, that of base. Cold
-# ones have their own, for GCC optimizes a source as it did its precompiled header, whatever the command line says.
+# Eigen and the JSON library are most of what a source compiles, so the targets share the precompiled header of base.
+# Cold targets share another one, because GCC optimizes a source like its precompiled header, whatever the flags say.
 function(rectilin_precompile target)
   cmake_parse_arguments(PARSE_ARGV 1 target "COLD" "" "")
   if(NOT RECTILIN_PRECOMPILE)
@@ -75,18 +75,19 @@ function(rectilin_precompile target)
       target_precompile_headers(${owner} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
     endif()
   endif()
-  target_compile_options(${target} PRIVATE -fPIC)  # GCC uses such a header only with the same kind of code
+  target_compile_options(${target} PRIVATE -fPIC)  # GCC accepts the header only if it was compiled with -fPIC, too
   target_precompile_headers(${target} REUSE_FROM ${owner})
 endfunction()
 
-# Code that takes no time that anybody notices is optimized a little, which compiles a quarter faster.
+# Code whose running time nobody notices is optimized less, so that it compiles a quarter faster.
 function(rectilin_cold target)
   target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang>>:-O1>)
 endfunction()
 
-# With RECTILIN_UNITY the sources of a house are compiled as one, so that what their headers cost is paid once; a folder
-# of ten or more is compiled on its own, so that several cores have work. Names in the anonymous namespaces of what is
-# compiled together must differ. Kernels stay apart: they compile themselves once for each instruction set.
+# With RECTILIN_UNITY the sources of a house are compiled as one, so that their headers are compiled only once. A folder
+# with ten or more sources is compiled on its own, so that several cores have work. Sources that are compiled together
+# must not use the same name in their anonymous namespaces. Kernels stay apart: each includes itself once for every
+# instruction set.
 function(rectilin_unite target)
   if(NOT RECTILIN_UNITY)
     return()

@@ -1,4 +1,4 @@
-// The large headers that most sources include, compiled once. Sources include what they use all the same: the project
+// The large headers that most sources include, compiled once. Sources still include what they use, because the project
 // also builds with RECTILIN_PRECOMPILE=OFF.
 #pragma once
 

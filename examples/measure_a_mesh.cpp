@@ -1,5 +1,4 @@
-// Measures a mesh: R with its proof, and the pose.
-// Usage: example_measure_a_mesh [FILE or shape:NAME?key=value]
+// Measures a mesh: R with its proof, and the pose. Usage: example_measure_a_mesh [FILE or shape:NAME?key=value]
 #include <cstdio>
 #include <exception>
 

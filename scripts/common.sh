@@ -1,4 +1,4 @@
-# Shared by the scripts: steps that speak only when they take long or fail, packages, the build.
+# What the scripts share: steps that show their output only if they fail, installing packages, building.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -9,7 +9,7 @@ packages=(g++ cmake ninja-build xz-utils
   python3-dev pybind11-dev python3-numpy python3-scipy python3-matplotlib python3-pytest python3-pip python3-setuptools
   python3-wheel)
 
-# step TEXT COMMAND...: says TEXT, runs the command, shows its output only if it fails.
+# step TEXT COMMAND...: prints TEXT, runs the command, and shows its output only if it fails.
 step() {
   local text=$1 log; shift
   log=$(mktemp)

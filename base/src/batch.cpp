@@ -9,7 +9,7 @@
 namespace rectilin {
 
 std::string error_about(const std::string& name, const std::string& what) {
-  if (what.empty()) return name + ": failed without a reason";
+  if (what.empty()) return name + ": failed, and gave no reason";
   return what.starts_with(name) ? what : name + ": " + what;
 }
 

@@ -5,8 +5,8 @@
 namespace rectilin {
 namespace {
 
-/// Insertions, deletions, replacements and swaps of neighbours that turn `a` into `b`, capitals aside (the optimal
-/// string alignment distance).
+/// How many insertions, deletions, replacements and swaps of neighbours turn `a` into `b`, if capitals do not matter
+/// (the optimal string alignment distance).
 std::size_t typing_errors(std::string_view a, std::string_view b) {
   const auto same = [](char x, char y) {
     return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
@@ -29,7 +29,7 @@ std::size_t typing_errors(std::string_view a, std::string_view b) {
 }  // namespace
 
 void throw_unknown_name(std::string_view kind, std::string_view name, const std::vector<std::string>& known) {
-  constexpr std::size_t kLongest = 100;  // nobody mistypes a longer one, and the table above grows with its square
+  constexpr std::size_t kLongest = 100;  // longer names are no typing errors, and the table above grows with the square
   std::string nearest, all;
   std::size_t least = name.size() <= kLongest ? std::max<std::size_t>(1, name.size() / 3) + 1 : 0;
   for (const std::string& candidate : known) {

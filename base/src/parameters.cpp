@@ -25,7 +25,7 @@ Json value_of(std::string_view text) {
   return value.is_primitive() && !value.is_discarded() ? value : Json(std::string(text));
 }
 
-/// A JSON number with an integral value inside [lower, upper].
+/// Is it a JSON number with a whole value inside [lower, upper]?
 bool is_integer_within(const Json& value, double lower, double upper) {
   if (!value.is_number()) return false;
   const double x = value.get<double>();

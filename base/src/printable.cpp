@@ -11,10 +11,10 @@ namespace {
 
 struct Character {
   std::uint32_t code = 0;
-  std::size_t size = 0;  // in bytes; 0 where the text is no UTF-8
+  std::size_t size = 0;  // in bytes; 0 where the text is not valid UTF-8
 };
 
-/// The character at the beginning of a text that is not empty (RFC 3629: no overlong forms, surrogates or code points
+/// The first character of a text, which must not be empty (RFC 3629: no overlong forms, surrogates or code points
 /// above U+10FFFF).
 Character first_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -41,7 +41,7 @@ bool is_in(const std::array<Range, n>& ranges, std::uint32_t code) {
   return std::ranges::any_of(ranges, [code](const Range& r) { return r.first <= code && code <= r.last; });
 }
 
-/// Characters that are not seen and act on others, or that no XML may contain.
+/// Characters that are invisible but change how others are shown, or that XML may not contain.
 constexpr std::array<Range, 8> kHidden = {{{0x00, 0x1F},
                                            {0x7F, 0x9F},
                                            {0x200E, 0x200F},
@@ -91,7 +91,7 @@ std::string escaped(const Character& character, unsigned char byte) {
   return text;
 }
 
-/// A character with the marks on it: what must not be cut.
+/// A character with its combining marks: the unit at which text may be cut.
 struct Piece {
   std::string_view text;
   std::size_t width;
@@ -113,7 +113,7 @@ std::vector<Piece> pieces(std::string_view text) {
   return all;
 }
 
-/// Whole characters of the end, at most so wide.
+/// The end of the text: as many whole characters as fit into `columns` columns.
 std::string_view end_of(std::string_view text, const std::vector<Piece>& all, std::size_t columns) {
   std::size_t taken = 0, bytes = 0;
   for (auto piece = all.rbegin(); piece != all.rend() && taken + piece->width <= columns; ++piece) {

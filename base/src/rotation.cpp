@@ -39,7 +39,8 @@ Eigen::Vector3d euler_from_rotation(const Rotation& rotation) {
   const Eigen::Matrix3d& m = rotation.matrix();
   const double cos_beta = std::hypot(m(0, 0), m(1, 0));
   const double beta = std::atan2(m(2, 0), cos_beta);
-  // Below this the first column carries no digits of gamma, and the turn about x absorbs it.
+  // Near beta = +-pi/2 the first column has no digits left that tell gamma from alpha: gamma is set to 0, and alpha
+  // takes the whole turn.
   if (cos_beta < 1e-12) return {std::atan2(m(1, 2), m(1, 1)), beta, 0.0};
   return {std::atan2(-m(2, 1), m(2, 2)), beta, std::atan2(-m(1, 0), m(0, 0))};
 }
@@ -50,7 +51,7 @@ Rotation rotation_from_rodrigues(const Eigen::Vector3d& rho) {
 
 Rotation rotation_from_vector(const Eigen::Vector3d& turn) {
   const double angle = turn.norm();
-  // sin(angle/2)/angle without dividing by zero: the series is exact to rounding below 1e-4.
+  // sin(angle/2)/angle, without dividing by zero: below 1e-4 two terms of the series are exact to rounding.
   const double s = angle > 1e-4 ? std::sin(angle / 2) / angle : 0.5 - angle * angle / 48;
   return Rotation::from_quaternion({std::cos(angle / 2), s * turn.x(), s * turn.y(), s * turn.z()});
 }
@@ -74,7 +75,7 @@ std::span<const Rotation> frame_symmetries() {
 }
 
 Rotation reduce_to_zone(const Rotation& rotation) {
-  // The smallest angle is the largest trace.
+  // The angle falls as the trace grows.
   Rotation best = rotation;
   for (const Rotation& d : frame_symmetries()) {
     const Rotation candidate = d * rotation;
@@ -84,8 +85,8 @@ Rotation reduce_to_zone(const Rotation& rotation) {
 }
 
 double frame_angle(const Rotation& a, const Rotation& b) {
-  // The 24 symmetries are the quaternions (1,0,0,0), (1,1,0,0)/sqrt(2) and (1,1,1,1)/2 with all permutations and
-  // signs, so the largest real part of a product with them comes from the sizes of the components, sorted.
+  // The 24 symmetries are the quaternions (1,0,0,0), (1,1,0,0)/sqrt(2) and (1,1,1,1)/2 with all permutations and signs,
+  // so the largest real part of a product with them comes from the sizes of the components, sorted.
   std::array<double, 4> q;
   Eigen::Map<Eigen::Vector4d>(q.data()) = (b * a.inverse()).quaternion().coeffs().cwiseAbs();
   std::sort(q.begin(), q.end(), std::greater());

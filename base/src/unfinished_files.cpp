@@ -16,7 +16,8 @@
 namespace rectilin {
 namespace {
 
-/// Names where a signal handler finds them: it may neither lock nor follow a pointer that somebody is freeing.
+/// The names of unfinished files, in fixed places. A signal handler reads them, so it must find them without a lock and
+/// without a pointer that another thread may be freeing.
 struct Slot {
   enum State { kFree, kBusy, kInUse };
   std::atomic<int> state = kFree;
@@ -25,7 +26,7 @@ struct Slot {
 std::array<Slot, 64> slots;
 static_assert(std::atomic<int>::is_always_lock_free);
 
-constexpr std::size_t kNoSlot = slots.size();  // too many at once: such a name is forgotten by a signal
+constexpr std::size_t kNoSlot = slots.size();  // there are more files than slots: a signal leaves this one behind
 
 std::size_t remember(const std::string& name) {
   if (name.size() >= sizeof Slot::name) return kNoSlot;
@@ -50,7 +51,7 @@ std::string random_name() {
 
 [[noreturn]] void throw_error() { throw std::system_error(errno, std::generic_category()); }
 
-constexpr mode_t kMode = 0666;  // less what the user's umask takes away, as for any new file
+constexpr mode_t kMode = 0666;  // the umask applies, as for any new file
 
 }  // namespace
 
@@ -77,7 +78,8 @@ UnfinishedFile::~UnfinishedFile() {
   if (descriptor_ >= 0) close(descriptor_);
 }
 
-/// A name that nothing has. It is remembered before the file is there, so that no signal comes in between.
+/// Chooses a name that is free. It is noted before the file is made, so that a signal in between cannot leave the
+/// file behind.
 void UnfinishedFile::choose_name() {
   struct stat status {};
   do name_ = folder_ / random_name();

@@ -41,13 +41,13 @@ void write_all(int descriptor, std::string_view content) {
   }
 }
 
-/// What is to be replaced, behind any links; nothing if the file is new.
+/// The file that is to be replaced, found by following any links; nothing if the file is new.
 struct Replaced {
   fs::path path;
   struct stat status;
 };
 
-/// Names in these folders stand for what a process has open: they are written to, never replaced.
+/// Names in these folders stand for devices or for files that a process has open: they are written to, never replaced.
 bool is_of_system(const fs::path& file) {
   const std::string path = fs::absolute(file).string();
   return path.starts_with("/dev/") || path.starts_with("/proc/");
@@ -65,7 +65,8 @@ void write_beside(const fs::path& file, const std::optional<Replaced>& replaced,
   UnfinishedFile begun(target.has_parent_path() ? target.parent_path() : fs::path("."), named);
   write_all(begun.descriptor(), content);
   if (replaced) {
-    // A user who may not give the file away keeps it; the permissions are what counts.
+    // Only root may give a file to another owner. Where that fails the user owns the new file; its permissions, which
+    // matter, are kept all the same.
     if (fchown(begun.descriptor(), replaced->status.st_uid, replaced->status.st_gid) != 0) errno = 0;
     if (fchmod(begun.descriptor(), replaced->status.st_mode & 0777) != 0) throw_errno();
   }
@@ -83,7 +84,7 @@ void write(const fs::path& file, std::string_view content) {
   } else if (errno != ENOENT) {
     throw_errno();
   } else if (lstat(file.c_str(), &status) == 0) {
-    return write_in_place(file, content);  // a link to nowhere
+    return write_in_place(file, content);  // a link that leads nowhere
   }
   write_beside(file, replaced, content, false);
 }
@@ -99,7 +100,7 @@ std::string read(const fs::path& file) {
   std::string bytes;
   std::size_t filled = 0;
   while (true) {
-    // One byte beyond the size tells the end without another piece.
+    // Asking for one byte more than the size shows the end of the file in the same read.
     const std::size_t expected = static_cast<std::size_t>(status.st_size) + 1;
     bytes.resize(filled < expected ? expected : filled + std::max(kPiece, filled / 2));
     const ssize_t got = ::read(in.get(), bytes.data() + filled, bytes.size() - filled);

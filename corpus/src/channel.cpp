@@ -23,7 +23,7 @@ Channel::~Channel() {
 bool Channel::send(Kind kind, std::string_view content) {
   std::string message(kHeader, static_cast<char>(kind));
   const auto length = static_cast<std::uint32_t>(content.size());
-  std::memcpy(message.data(), &length, sizeof length);  // both ends are on one machine
+  std::memcpy(message.data(), &length, sizeof length);  // in the byte order of the machine: both ends run on it
   message += content;
   for (std::string_view rest = message; !rest.empty();) {
     const ssize_t sent = ::send(socket_, rest.data(), rest.size(), MSG_NOSIGNAL);

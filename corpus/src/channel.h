@@ -7,16 +7,16 @@
 
 namespace rectilin::corpus {
 
-/// What a message is. Its content is text; names of files are sent as they are, whatever their encoding.
+/// The kinds of messages. Their content is text; file names are sent byte for byte, whatever their encoding.
 enum class Kind : char {
   kSetup = 'S',     ///< to a worker, once: JSON {task, settings, memory}
   kMesh = 'M',      ///< to a worker: the source of a mesh
-  kMeasure = 'G',   ///< to a worker: the digest is new, go on
-  kKnown = 'K',     ///< to a worker: it is not, leave the mesh
+  kMeasure = 'G',   ///< to a worker: no mesh had this digest before, go on with it
+  kKnown = 'K',     ///< to a worker: a mesh with this digest is known, skip this one
   kRead = 'D',      ///< from a worker: JSON {digest, report}
   kResult = 'R',    ///< from a worker: JSON {result, time_over}
-  kError = 'E',     ///< from a worker: why there is none
-  kNoMemory = 'L',  ///< from a worker, which then ends: the memory allowed is not enough
+  kError = 'E',     ///< from a worker: why there is no result
+  kNoMemory = 'L',  ///< from a worker, which then ends: it reached its memory limit
 };
 
 struct Message {
@@ -34,15 +34,15 @@ class Channel {
 
   int socket() const { return socket_; }
 
-  /// False if the other end is gone.
+  /// Returns false if the other end is gone.
   bool send(Kind kind, std::string_view content);
 
-  /// The next message; waits for it. Nothing if the other end is gone or sends what is none.
+  /// Waits for the next message. Returns nothing if the other end is gone or sends something that is not a message.
   std::optional<Message> receive();
 
-  /// Takes what has come; false if the other end is gone. Does not wait.
+  /// Reads what has arrived, without waiting; returns false if the other end is gone.
   bool fill();
-  /// The next message that has come as a whole.
+  /// The next message that has arrived completely.
   std::optional<Message> next();
 
  private:

@@ -15,9 +15,9 @@ namespace rectilin::corpus {
 namespace {
 
 namespace fs = std::filesystem;
-static_assert(std::endian::native == std::endian::little, "the files' numbers begin with their least byte");
+static_assert(std::endian::native == std::endian::little, "the numbers in the files are little-endian");
 
-/// A file written piece by piece, which takes its name when it is whole.
+/// A file that is written piece by piece and gets its name only when it is complete.
 class GrowingFile {
  public:
   explicit GrowingFile(const fs::path& file) : file_(file), begun_(file.string() + ".new") {
@@ -31,7 +31,7 @@ class GrowingFile {
   GrowingFile(const GrowingFile&) = delete;
   GrowingFile& operator=(const GrowingFile&) = delete;
 
-  /// Empties the text.
+  /// Writes the text and empties it.
   void write(std::string& text) {
     stream_.write(text.data(), static_cast<std::streamsize>(text.size()));
     text.clear();
@@ -52,7 +52,7 @@ class GrowingFile {
   bool done_ = false;
 };
 
-/// Columns of the statement that all formats read.
+/// The columns of the query that all formats use.
 enum Column {
   kName,
   kSource,
@@ -97,7 +97,7 @@ void append_csv(std::string& out, const Statement& row) {
        {kName, kClass, kStatus, kDigest, kFaces, kArea, kR, kLower, kUpper, kSeconds, kVersion, kError}) {
     if (column != kName) out += ',';
     if (column == kStatus) out += status_of(row);
-    else if (column == kFaces) out += row.text(column);  // a whole number, or nothing
+    else if (column == kFaces) out += row.text(column);  // a whole number, or empty
     else if (column < kArea || column > kSeconds) append_cell(out, row.text(column));
     else if (!row.is_null(column)) append_number(out, row.real(column));
   }
@@ -112,7 +112,7 @@ void append_json(std::string& out, const Statement& row) {
   if (!row.is_null(kDigest)) line["digest"] = row.text(kDigest);
   Json end = {{"seconds", row.real(kSeconds)}, {"version", row.text(kVersion)}};
   if (!row.is_null(kError)) end["error"] = row.text(kError);
-  // Objects without their braces, so that what is stored is passed on as it is.
+  // Cuts the braces off stored JSON objects, so that their text is passed on byte for byte.
   const auto inside = [](std::string_view object) {
     return object.size() < 2 ? object : object.substr(1, object.size() - 2);
   };
@@ -189,7 +189,7 @@ void export_store(Store& store, const fs::path& file) {
   if (format != ".csv" && format != ".jsonl" && format != ".npy")
     throw ParameterError(file.string() + ": the extension is none of .csv, .jsonl, .npy");
   Database& database = StoreAccess::database(store);
-  database.execute("BEGIN");  // one state of the store, even if it is being written
+  database.execute("BEGIN");  // a consistent view of the store, even while it is being written
   GrowingFile out(file);
   const Widths widths = widths_of(database);
   std::string text =

@@ -50,7 +50,7 @@ MergeSummary merge(std::span<const std::filesystem::path> stores, const std::fil
   Store all(target, *task);
   Database& database = StoreAccess::database(all);
   MergeSummary summary;
-  // One large change: with this journal most of it is written once.
+  // This is one large change: with this kind of journal SQLite writes most of it only once.
   database.execute("PRAGMA journal_mode = TRUNCATE; PRAGMA cache_size = -262144; PRAGMA temp_store = MEMORY");
   for (const auto& file : stores) {
     const std::string name = file.string();

@@ -8,10 +8,10 @@
 
 namespace rectilin::corpus {
 
-/// What a file of a table begins with. `fields` are as NumPy writes them: "('area', '<f8')".
+/// The header of a file that holds a table. `fields` are written as NumPy writes them: "('area', '<f8')".
 std::string npy_header(std::span<const std::string> fields, std::size_t rows);
 
-/// Text in a field of so many bytes.
+/// Appends the text, filled up with zeros to a field of `size` bytes.
 void append_bytes(std::string& out, std::string_view text, std::size_t size);
 
 }  // namespace rectilin::corpus

@@ -15,7 +15,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A search ends by itself when its seconds do; reading, and what hangs, does not.
+/// How long to wait for a worker before it is killed. A search stops by itself after its `seconds`; reading a file, or
+/// anything that hangs, does not.
 double patience(double seconds) { return 1 + 1.1 * seconds; }
 
 double unix_time() {
@@ -42,10 +43,10 @@ class Run {
  private:
   struct Worker {
     std::unique_ptr<WorkerProcess> process;
-    bool busy = false, heard = false;  ///< heard: it has answered at least once
-    bool again = false;                ///< the mesh is tried a second time
+    bool busy = false, heard = false;  ///< heard: the worker has answered at least once
+    bool again = false;                ///< the mesh is being tried a second time
     std::size_t mesh = 0;
-    Row row;  ///< of the mesh in work, as far as it is known
+    Row row;  ///< row of the mesh in work, filled in so far
     Clock::time_point started;
   };
 
@@ -73,15 +74,15 @@ class Run {
       worker.process->channel().send(Kind::kSetup, to_text(setup));
     }
     worker.started = Clock::now();
-    worker.process->channel().send(Kind::kMesh, mesh.source);  // if it is gone, wait() will notice
+    worker.process->channel().send(Kind::kMesh, mesh.source);  // if the worker is gone, wait() will notice
     if (control_.on_progress) control_.on_progress(finished_, meshes_.size(), mesh.name);
   }
 
-  /// Until a worker has something to say, or has been silent for too long.
+  /// Waits until a worker has something to say or has been silent for too long.
   void wait() {
     std::vector<pollfd> sockets;
     std::vector<Worker*> who;
-    double timeout = 0.2;  // so that a stop is seen
+    double timeout = 0.2;  // seconds; short enough to notice a stop
     for (Worker& worker : workers_) {
       if (!worker.busy) continue;
       sockets.push_back({worker.process->channel().socket(), POLLIN, 0});
@@ -140,7 +141,7 @@ class Run {
       ++summary_.copied;
       finish(worker, RowStatus::kDone, {});
     } else if (!in_work_.insert(worker.row.digest).second) {
-      channel.send(Kind::kKnown, "");  // another worker has it
+      channel.send(Kind::kKnown, "");  // another worker is doing the same mesh
       waiting_[worker.row.digest].push_back(std::move(worker.row));
       worker.busy = false;
     } else {
@@ -148,7 +149,7 @@ class Run {
     }
   }
 
-  /// Puts the mesh's row into the store, and those of the same meshes that came meanwhile.
+  /// Puts the mesh's row into the store, and the rows of equal meshes that arrived meanwhile.
   void finish(Worker& worker, RowStatus status, const std::string& error) {
     Row& row = worker.row;
     row.status = status;
@@ -190,18 +191,19 @@ class Run {
     const std::string how = worker.process->wait_for_end();
     worker.process.reset();
     in_work_.erase(worker.row.digest);
-    // Killed from outside, by a person or by a system short of memory: one more time will tell if it was the mesh.
+    // It was killed from outside, by a person or by a system short of memory. A second try tells whether the mesh was
+    // to blame.
     if (how.starts_with("signal 9,") && !worker.again) {
       worker.again = true;
       return start(worker, worker.mesh);
     }
-    // A worker that dies before its first word does so for all meshes: that is no mesh's fault.
-    if (!worker.heard && how.starts_with("exit")) throw std::runtime_error("a worker cannot work: " + how);
+    // A worker that ends before its first message would do so for every mesh: the mesh is not to blame.
+    if (!worker.heard && how.starts_with("exit")) throw std::runtime_error("a worker process does not start: " + how);
     finish(worker, RowStatus::kLimited, worker.row.source + ": the program crashed (" + how + ")");
   }
 
   std::string limit_text(const std::string& limit) const {
-    if (limit == "seconds" && !options_.seconds) return "its time was over";
+    if (limit == "seconds" && !options_.seconds) return "its time ran out";
     if (limit == "seconds") return "more than " + Json(*options_.seconds).dump() + " seconds";
     if (!options_.memory) return "not enough memory";
     return "more than " + std::to_string(*options_.memory) + " bytes of memory";
@@ -213,8 +215,8 @@ class Run {
   const CorpusOptions& options_;
   const LoopControl& control_;
   std::vector<Worker> workers_;
-  std::set<std::string> in_work_;                    ///< digests
-  std::map<std::string, std::vector<Row>> waiting_;  ///< rows of meshes that are the same as one in work
+  std::set<std::string> in_work_;                    ///< digests of the meshes in work
+  std::map<std::string, std::vector<Row>> waiting_;  ///< by digest: rows of meshes equal to one that is in work
   std::size_t next_ = 0, finished_ = 0;
   CorpusSummary summary_;
 };

@@ -8,7 +8,8 @@
 namespace rectilin::corpus {
 namespace {
 
-/// Spreads FNV's bits, whose upper ones hardly depend on a name's last letters (the finalizer of MurmurHash3).
+/// Mixes the bits of the hash: the upper bits of FNV-1a, which decide the shard, hardly depend on the last letters of a
+/// name (this is the finalizer of MurmurHash3).
 std::uint64_t mix(std::uint64_t x) {
   x = (x ^ (x >> 33)) * 0xff51afd7ed558ccdu;
   x = (x ^ (x >> 33)) * 0xc4ceb9fe1a85ec53u;
@@ -32,7 +33,7 @@ Shard Shard::parse(std::string_view text) {
 }
 
 bool Shard::contains(std::string_view name) const {
-  // The upper half of 32 by 32 bits: equal parts of the range of hashes.
+  // The upper half of the product of two 32-bit numbers divides the range of hashes into equal parts.
   return ((mix(Fnv1a().add(name).value()) >> 32) * count) >> 32 == index;
 }
 

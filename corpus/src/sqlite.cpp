@@ -85,7 +85,7 @@ Database::Database(const std::filesystem::path& file, Mode mode) : name_(file.st
   const int result = sqlite3_open_v2(file.c_str(), &database, flags | SQLITE_OPEN_NOMUTEX, nullptr);
   database_.reset(database);
   if (result != SQLITE_OK) fail();
-  sqlite3_busy_timeout(database, 10'000);  // milliseconds that a reader lets a writer finish
+  sqlite3_busy_timeout(database, 10'000);  // milliseconds that a reader waits for a writer
 }
 
 void Database::execute(const std::string& sql) {

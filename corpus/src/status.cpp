@@ -53,7 +53,7 @@ StoreStatus status_of(const std::filesystem::path& file) {
   run.reset();
   Statement finished(database, "SELECT count(*), max(finished) FROM meshes WHERE status > 0 AND finished >= ?1");
   if (finished.bind(1, started).step() && finished.integer(0) > 0) {
-    // Of a run that goes on up to now, of another up to its last mesh.
+    // The rate is counted up to now if the run goes on, otherwise up to its last mesh.
     const double now = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
     const double elapsed = (status.running ? now : finished.real(1)) - started;
     status.rate = static_cast<double>(finished.integer(0)) / std::max(elapsed, 1e-3);

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t kApplication = 0x7265637;  // marks an SQLite file as a store
-constexpr std::int64_t kTablesVersion = 1;        // of the tables
+constexpr std::int64_t kTablesVersion = 1;        // version of the tables
 
 constexpr const char* kTables = R"(
 CREATE TABLE meshes(
@@ -37,8 +37,8 @@ std::string host_name() {
   return gethostname(name, sizeof name - 1) == 0 ? name : "?";
 }
 
-/// Whether the file is on a disk of this machine. SQLite's log written ahead needs memory shared by all who use the
-/// file, which machines do not have; there the older way is used, which costs a few milliseconds a row.
+/// Is the file on a disk of this machine? SQLite's write-ahead log needs memory shared by all who use the file, which
+/// different machines do not have. Elsewhere the older rollback journal is used, which costs a few milliseconds a row.
 bool is_local(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   struct statfs about {};
@@ -72,7 +72,7 @@ void check_is_store(Database& database) {
     throw std::runtime_error(database.name() + ": a store of another version of the program");
 }
 
-/// A number of a result that is a column of its own, if it has it.
+/// A number of a result that has a column of its own; nothing if the result lacks it.
 std::optional<double> number(const Json& result, const char* key) {
   const auto found = result.find(key);
   return found != result.end() && found->is_number() ? std::optional(found->get<double>()) : std::nullopt;
@@ -132,7 +132,8 @@ struct Store::Implementation {
 Store::Store(const fs::path& file, const Task& task)
     : implementation_(std::make_unique<Implementation>(file, Database::Mode::kWrite)) {
   Database& database = implementation_->database;
-  // A commit is handed to the system at once, so that it outlives the program; the disk may have it later.
+  // Each commit is handed to the operating system at once, so that it survives the end of the program, but does not
+  // wait for the disk.
   database.execute(is_local(file) ? "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL"
                                   : "PRAGMA journal_mode = TRUNCATE; PRAGMA synchronous = NORMAL");
   database.execute("PRAGMA cache_size = -65536");

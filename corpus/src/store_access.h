@@ -1,4 +1,4 @@
-// The database behind a store, for what goes through all of it at once.
+// Access to the database behind a store, for code that goes through all rows at once.
 #pragma once
 
 #include "rectilin/corpus/store.h"

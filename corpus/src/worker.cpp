@@ -17,7 +17,7 @@ namespace {
 
 std::atomic<bool> memory_ran_out = false;
 
-/// Bytes of data that the process has now, its libraries' included: they are not the mesh's.
+/// Bytes of data that the process uses now, those of its libraries included: a mesh is not charged for them.
 std::uint64_t present_data() {
   std::ifstream file("/proc/self/statm");
   std::uint64_t size = 0, resident = 0, shared = 0, text = 0, library = 0, data = 0;
@@ -29,14 +29,15 @@ void limit_memory(std::uint64_t bytes) {
   const rlim_t limit = present_data() + bytes;
   const rlimit data{limit, limit};
   setrlimit(RLIMIT_DATA, &data);
-  // Readers turn a lack of memory into errors of the file; this tells the two apart.
+  // The mesh readers report a lack of memory as an error of the file. This handler sees it first and tells the
+  // two apart.
   std::set_new_handler([] {
     memory_ran_out = true;
     throw std::bad_alloc();
   });
 }
 
-/// False if the worker should end.
+/// Does one mesh; returns false if the worker should end.
 bool do_mesh(Channel& channel, const std::string& source, const Work& work) {
   std::string error;
   memory_ran_out = false;

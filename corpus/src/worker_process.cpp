@@ -17,15 +17,15 @@ namespace {
 
 constexpr int kWorkerSocket = 3;
 
-/// After fork(): nothing here may allocate.
+/// Runs in the child after fork(), where nothing may allocate memory.
 [[noreturn]] void become_worker(char* const* arguments, int socket, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(127);  // it went before it could be watched
+  if (getppid() != parent) _exit(127);  // the parent ended before its end could be watched
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
-  setpgid(0, 0);  // Ctrl-C is for the program, which says what to do
+  setpgid(0, 0);  // Ctrl-C goes to the main program only, which then stops its workers
   const int nothing = open("/dev/null", O_RDWR);
-  // Foreign libraries may print; what they have to say of broken files is not for the user.
+  // Libraries may print complaints about broken files; users should not see them.
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nothing, stream);
   if (socket == kWorkerSocket) fcntl(socket, F_SETFD, 0);
   else dup2(socket, kWorkerSocket);
@@ -38,7 +38,7 @@ constexpr int kWorkerSocket = 3;
 WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    throw std::runtime_error(std::string("no socket for a worker: ") + std::strerror(errno));
+    throw std::runtime_error(std::string("cannot make a socket for a worker: ") + std::strerror(errno));
   channel_ = std::make_unique<Channel>(ends[0]);
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
@@ -47,7 +47,7 @@ WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
   process_ = fork();
   if (process_ == 0) become_worker(arguments.data(), ends[1], parent);
   close(ends[1]);
-  if (process_ < 0) throw std::runtime_error(std::string("no process for a worker: ") + std::strerror(errno));
+  if (process_ < 0) throw std::runtime_error(std::string("cannot start a worker process: ") + std::strerror(errno));
 }
 
 WorkerProcess::~WorkerProcess() {
@@ -59,7 +59,7 @@ WorkerProcess::~WorkerProcess() {
 std::string WorkerProcess::wait_for_end() {
   int status = 0;
   pid_t done = 0;
-  constexpr int kPatience = 1000;  // milliseconds for a process whose socket is closed already
+  constexpr int kPatience = 1000;  // milliseconds that a worker has to end after its socket was closed
   for (int i = 0; i < kPatience && (done = waitpid(process_, &status, WNOHANG)) == 0; ++i) usleep(1000);
   if (done == 0) {
     kill(process_, SIGKILL);

@@ -1,4 +1,4 @@
-// A worker as the program sees it.
+// A worker process, as the main program sees it.
 #pragma once
 
 #include <sys/types.h>
@@ -11,8 +11,8 @@
 
 namespace rectilin::corpus {
 
-/// Runs a command whose file descriptor 3 is the other end of `channel`. It ends when this program does, in whatever
-/// way, and is killed when this object goes.
+/// Runs a command as a child process; its file descriptor 3 is the other end of `channel`. The child ends when this
+/// program ends, however that happens, and is killed when this object is destroyed.
 class WorkerProcess {
  public:
   /// Throws std::runtime_error if it cannot be started.
@@ -23,7 +23,8 @@ class WorkerProcess {
 
   Channel& channel() { return *channel_; }
 
-  /// Of one that has closed its end: how it ended, "exit status 2" or "signal 11, Segmentation fault".
+  /// Waits for a worker that has closed its end and tells how it ended: "exit status 2" or "signal 11,
+  /// Segmentation fault".
   std::string wait_for_end();
 
  private:

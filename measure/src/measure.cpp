@@ -23,7 +23,8 @@ std::array<ParallelFaces, 3> parallel_faces(const MeshView& mesh, const Rotation
   return lists;
 }
 
-/// The objective's values err by `error` at most, and the run's bound allows for that already.
+/// The bounds of R that a run has proved. Values of the objective may be wrong by `error`; the run's lower bound allows
+/// for that already.
 std::optional<Interval> certified(const RunRecord& run, double error) {
   if (!run.value_bound) return std::nullopt;
   return Interval{rectilinearity(run.incumbent.value + error), rectilinearity(*run.value_bound)};

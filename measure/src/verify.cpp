@@ -1,4 +1,4 @@
-// Written to be read by someone who trusts nothing: no tree of faces, no vector instructions, no code of the search.
+// Written for readers who trust nothing: no merging of faces, no tree, no vector instructions, no code of the search.
 #include "rectilin/measure/verify.h"
 
 #include <Eigen/LU>
@@ -22,29 +22,30 @@ using verification::Floors;
 using verification::least_on;
 using verification::Part;
 
-using PlainJson = nlohmann::json;  // the project's own keeps the order of keys, which nothing here needs
+using PlainJson = nlohmann::json;  // the project's type also keeps the order of keys, which is not needed here
 using Matrix3 = Eigen::Matrix3d;
 using Extended3 = Eigen::Matrix<long double, 3, 1>;
 
-/// All rounding in a bound, relative to S = 1. Three cuts: a block of kSummedBlock faces is summed in double precision,
-/// kSummedBlock 2^-53 each, everything between blocks in more; a mixture adds kMostTerms of these, and their weights
-/// likewise, everything else is a few roundoffs. Then the polynomial's 27 coefficients.
+/// All rounding errors in a bound, relative to S = 1. Three cuts: a block of kSummedBlock faces is summed in double
+/// precision, with an error of kSummedBlock 2^-53 for each cut; everything between blocks is summed in extended
+/// precision. A mixture adds kMostTerms of these cuts, and their weights likewise; everything else is a few roundoffs.
+/// Then come the 27 coefficients of the polynomial.
 constexpr std::size_t kSummedBlock = 1024, kMostTerms = 64;
 constexpr double kAllowance = 1e-12;
 static_assert(3 * (kSummedBlock + 2 * kMostTerms + 64) * 0x1p-53 < kAllowance / 2);
 static_assert(std::numeric_limits<long double>::digits >= 64, "sums over blocks need more than double precision");
 
 constexpr double kHalfEdge = 0.41421356237309510;  // of the zone's cube, at least sqrt(2) - 1
-constexpr int kMostHalvings = 12;                  // of a leaf, until its bound shows
+constexpr int kMostHalvings = 12;                  // how often a leaf may be halved until its bound shows
 
-/// Reason for refusing.
+/// Thrown to refuse the certificate, with the reason.
 struct Refusal {
   std::string reason;
 };
 
 [[noreturn]] void refuse(std::string reason) { throw Refusal{std::move(reason)}; }
 
-/// Half the cross products of two edges, over their total length.
+/// The area vectors of all triangles (half the cross product of two edges), divided by their total length.
 std::vector<Face> area_vectors_of(const MeshView& mesh) {
   std::vector<Extended3> vectors;
   long double total = 0;
@@ -64,8 +65,8 @@ std::vector<Face> area_vectors_of(const MeshView& mesh) {
   return faces;
 }
 
-/// sum s_i v_i, s_i = +-1 by the side of u the face is on: |x . v_i| >= s_i x . v_i for every x, even where rounding
-/// chose the side. So sum |x . v_i| is at least x . (the result).
+/// sum s_i v_i, where s_i = +-1 says on which side of u the face is: |x . v_i| >= s_i x . v_i for every x, even where
+/// rounding chose the side. So sum |x . v_i| is at least x . (the result).
 Eigen::Vector3d cut(const std::vector<Face>& faces, const Eigen::Vector3d& u) {
   Extended3 total = Extended3::Zero();
   for (std::size_t begin = 0; begin < faces.size(); begin += kSummedBlock) {
@@ -80,7 +81,7 @@ Eigen::Vector3d cut(const std::vector<Face>& faces, const Eigen::Vector3d& u) {
   return total.cast<double>();
 }
 
-/// Is sum_k g_k . r_k(rho) >= bound on the box, g_k the rows of g?
+/// Is sum_k g_k . r_k(rho) >= bound on the box, where g_k are the rows of g?
 bool holds(const Matrix3& g, double bound, const Part& part, int halvings) {
   if (least_on(g, part) >= bound) return true;
   if (halvings == 0) return false;
@@ -107,7 +108,7 @@ Matrix3 matrix(const PlainJson& json, const std::string& name) {
   return rows;
 }
 
-/// The mixture of cuts of one axis of a leaf.
+/// The mixture of cuts that a leaf states for one axis.
 Eigen::Vector3d mixture(const PlainJson& terms, const std::vector<Eigen::Vector3d>& cuts, const std::string& where) {
   if (!terms.is_array() || terms.size() % 2 != 0 || terms.empty()) refuse(where + ": an axis is not a list of pairs");
   if (terms.size() > 2 * kMostTerms)
@@ -126,7 +127,7 @@ Eigen::Vector3d mixture(const PlainJson& terms, const std::vector<Eigen::Vector3
   return result / sum;
 }
 
-/// Three numbers that add up to `enough`, each a floor on what its axis sweeps.
+/// Checks a leaf with floors: three numbers that add up to `enough`, each a lower bound on what its axis sweeps.
 void check_floors(const PlainJson& json, const Part& part, double enough, Floors& floors, const std::string& where) {
   const Eigen::Vector3d stated = vector(json);
   if (!(stated.sum() >= enough)) refuse(where + ": its floors do not add up to the bound");
@@ -140,8 +141,8 @@ void check_floors(const PlainJson& json, const Part& part, double enough, Floors
   }
 }
 
-/// Walks the tree, an explicit stack in the place of recursion. Every box is halved, checked or outside, so the leaves
-/// cover the zone when the stack is empty.
+/// Walks through the tree with an explicit stack instead of recursion. Every box is halved, checked or outside the
+/// zone, so when the stack is empty the leaves cover the zone.
 std::size_t check_leaves(const std::string& tree, const PlainJson& leaves, const PlainJson& stated_floors,
                          const std::vector<Eigen::Vector3d>& cuts, Floors& floors, double trace, double lower) {
   std::vector<Part> open = {{Eigen::Vector3d::Constant(-kHalfEdge), Eigen::Vector3d::Constant(kHalfEdge)}};
@@ -177,7 +178,7 @@ std::size_t check_leaves(const std::string& tree, const PlainJson& leaves, const
   return leaf + floor;
 }
 
-/// P/S at the rotation, from above.
+/// P/S at the rotation, rounded up.
 double value_at(const std::vector<Face>& faces, const Matrix3& r) {
   if (!((r * r.transpose() - Matrix3::Identity()).cwiseAbs().maxCoeff() < 1e-12) || !(r.determinant() > 0))
     refuse("the rotation is not one");
@@ -215,12 +216,12 @@ Verdict check(const PlainJson& json, const MeshView& mesh) {
   } else {
     std::vector<Eigen::Vector3d> cuts;
     for (const PlainJson& direction : json["directions"]) cuts.push_back(cut(faces, vector(direction)));
-    verdict.directions = cuts.size();
+    verdict.cuts = cuts.size();
     Floors floors(faces, form);
     verdict.leaves = check_leaves(tree, json["leaves"], stated_floors, cuts, floors, form.trace(), lower);
   }
   verdict.accepted = true;
-  constexpr double kRounding = 0x1p-50;  // of these two lines
+  constexpr double kRounding = 0x1p-50;  // rounding of the next two lines
   verdict.lower = 3 / value - 2 - kRounding;
   verdict.upper = 3 / lower - 2 + 3 / lower * kRounding;
   return verdict;

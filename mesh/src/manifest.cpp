@@ -22,7 +22,7 @@ std::string trimmed(std::string_view text) {
   return std::string(text.substr(begin, text.find_last_not_of(kBlank) - begin + 1));
 }
 
-/// The rows of a CSV text (RFC 4180) with the lines they begin in.
+/// A row of a CSV text (RFC 4180), with the number of the line that it begins in.
 struct Row {
   std::size_t line;
   std::vector<std::string> cells;
@@ -90,7 +90,7 @@ std::vector<NamedSource> from_csv(std::string_view text, const std::string& file
   return entries;
 }
 
-/// A source a line, with its class behind a tab; what is behind # is a comment, where # begins a word.
+/// Reads one source a line, with its class after a tab. A # at the beginning of a word starts a comment.
 std::vector<NamedSource> from_text(std::string_view text, const std::string&) {
   std::vector<NamedSource> entries;
   while (!text.empty()) {

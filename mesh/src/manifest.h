@@ -9,11 +9,11 @@
 
 namespace rectilin {
 
-/// Whether the file's name is that of a list: .txt, .lst or .csv.
+/// Does the file's extension make it a list: .txt, .lst or .csv?
 bool is_manifest_name(std::string_view file);
 
-/// The entries of a list as written, none replaced by what is in it: names, sources relative to where the list is,
-/// classes. Throws MeshError, "FILE:line N: reason".
+/// The entries of a list as written, before folders and archives among them are expanded: names, sources made relative
+/// to the list's folder, classes. Throws MeshError, "FILE:line N: reason".
 std::vector<NamedSource> read_manifest(const std::string& file);
 
 }  // namespace rectilin

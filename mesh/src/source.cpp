@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kShapePrefix = "shape:";
 
-/// Whether a link leads to a folder that it is in.
+/// Does the link lead to a folder that it is inside of?
 bool leads_back(const fs::path& link) {
   std::error_code error;
   const fs::path target = fs::canonical(link, error);
@@ -30,12 +30,13 @@ bool leads_back(const fs::path& link) {
   return std::mismatch(target.begin(), target.end(), own.begin(), own.end()).first == target.end();
 }
 
-/// Looks for meshes in a folder and below.
+/// Finds the meshes in a folder and its subfolders.
 class Walk {
  public:
   std::vector<std::string> files_below(const fs::path& folder) {
     enter(folder);
-    // Links to folders come last, so that what is also there without a link is found under its own name.
+    // Links to folders are followed last, so that a folder that can also be reached without a link is found under its
+    // own name.
     for (std::size_t i = 0; i < links_.size(); ++i) enter(fs::path(links_[i]));
     std::ranges::sort(found_);
     return std::move(found_);
@@ -60,8 +61,9 @@ class Walk {
       if (link && leads_back(path)) found_.push_back(path.string());
       else if (link) links_.push_back(path.string());
       else enter(path);
-    } else if ((format_of_extension(path) || is_archive_name(path.native())) && !path.filename().string().starts_with("._")) {
-      // Pipes and devices are not meshes; what has no status is reported.
+    } else if ((format_of_extension(path) || is_archive_name(path.native())) &&
+               !path.filename().string().starts_with("._")) {
+      // Pipes and devices are not meshes. A file whose status cannot be read is kept, so that the error is reported.
       if (fs::is_regular_file(status) || !fs::exists(status)) found_.push_back(path.string());
     }
   }
@@ -80,7 +82,7 @@ bool is_file(const std::string& source) {
   return !is_shape_source(source) && fs::is_regular_file(source, ignored);
 }
 
-/// Why a folder stands in the list in the place of its files.
+/// Throws the reason why a folder was not replaced by the files in it.
 [[noreturn]] void complain_of_folder(const std::string& folder) {
   std::error_code error;
   fs::directory_iterator(folder, error);
@@ -90,7 +92,7 @@ bool is_file(const std::string& source) {
   throw MeshError(folder + ": no mesh file in this folder");
 }
 
-/// The pieces that a character ends; behind the last one nothing is no piece.
+/// The pieces of a text that each end with a character; a last piece without it counts if it is not empty.
 std::vector<std::string> split(std::string_view text, char end) {
   std::vector<std::string> pieces;
   while (!text.empty()) {
@@ -101,7 +103,7 @@ std::vector<std::string> split(std::string_view text, char end) {
   return pieces;
 }
 
-/// A compressed file is its only member; why an archive stands in the list in the place of its members is said.
+/// Loads the only mesh of a compressed file. Throws if there is none, or if it is an archive of several.
 LoadedMesh load_archive(const std::string& file) {
   const std::vector<std::string> members = mesh_members(file);
   if (members.empty()) throw MeshError(file + ": no mesh file in this archive");
@@ -133,7 +135,8 @@ bool is_mesh_text(const std::string& file) {
   return looks_like_off(begin) || looks_like_ply(begin) || looks_like_stl(begin);
 }
 
-/// What stands for an entry: the text behind the entry's source is put behind its name, too.
+/// Appends what an entry expands to. A folder's or archive's entry passes its name on: what follows its source in the
+/// sources of the parts follows its name in theirs.
 void expand(const NamedSource& entry, bool in_manifest, std::vector<NamedSource>& all) {
   const std::size_t before = all.size();
   const auto expand_inner = [&](const std::string& source) {
@@ -148,9 +151,9 @@ void expand(const NamedSource& entry, bool in_manifest, std::vector<NamedSource>
       for (const std::string& member : mesh_members(entry.source)) expand_inner(member);
     } else if (!in_manifest && is_manifest_name(entry.source) && is_file(entry.source) && !is_mesh_text(entry.source)) {
       for (const NamedSource& listed : read_manifest(entry.source)) expand(listed, true, all);
-      return;  // its errors are the user's own, and an empty list is one
+      return;  // no fallback: what is wrong in a list, or an empty list, is for the user to see
     }
-  } catch (const fs::filesystem_error&) {  // left to load_mesh()
+  } catch (const fs::filesystem_error&) {  // load_mesh() will report it
   } catch (const MeshError&) {
     if (!in_manifest && is_manifest_name(entry.source)) throw;
     all.resize(before);
@@ -195,10 +198,10 @@ std::vector<std::string> sources_in_list(std::string_view list, const std::strin
   const bool ended_by_nul = list.find('\0') != std::string_view::npos;
   const std::vector<std::string> items = split(list, ended_by_nul ? '\0' : '\n');
   if (ended_by_nul) {
-    // UTF-16 without a mark has a NUL beside every letter, the ends of lines included.
+    // UTF-16 without a byte order mark has a NUL beside every ASCII letter, line ends included.
     const bool utf16 = std::ranges::find(items, "\n") != items.end();
     if (list.back() != '\0' || utf16 || std::ranges::find(items, "") != items.end())
-      throw MeshError(name + ": a list of files with NUL characters that is not as find -print0 writes it");
+      throw MeshError(name + ": contains NUL characters, but is not a list as find -print0 writes it");
     return items;
   }
   std::vector<std::string> lines;

@@ -11,10 +11,10 @@ namespace rectilin::report {
 namespace {
 
 constexpr int kWidth = 140, kPicture = 132, kHeight = 174,
-              kLine = 14;          // of a cell and the picture in it, in pixels
-constexpr std::size_t kNameColumns = 22;  // columns of text that there is room for
+              kLine = 14;                 // sizes of a cell and of the picture in it, in pixels
+constexpr std::size_t kNameColumns = 22;  // columns of text that a name has room for
 
-/// RFC 4648, section 4.
+/// Base64 (RFC 4648, section 4).
 std::string base64(std::string_view bytes) {
   static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
@@ -27,11 +27,13 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-/// In one line or, if it does not fit and has a comma, in two.
+/// The name on one line or, if it does not fit and has a comma, on two.
 std::vector<std::string> lines(const std::string& name) {
   const std::size_t comma = name.find(", ");
-  if (width(printable(name)) <= kNameColumns || comma == std::string::npos) return {shortened_to_end(name, kNameColumns)};
-  return {shortened_to_end(name.substr(0, comma), kNameColumns), shortened_to_end(name.substr(comma + 2), kNameColumns)};
+  if (width(printable(name)) <= kNameColumns || comma == std::string::npos)
+    return {shortened_to_end(name, kNameColumns)};
+  return {shortened_to_end(name.substr(0, comma), kNameColumns),
+          shortened_to_end(name.substr(comma + 2), kNameColumns)};
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ Csv::Cell::Cell(double x) {
 }
 
 void Csv::row(const std::vector<Cell>& cells) {
-  if (cells.size() != columns_.size()) throw std::logic_error("a row of another width than its table");
+  if (cells.size() != columns_.size())
+    throw std::logic_error("a row has more or fewer cells than the table has columns");
   std::vector<std::string> texts;
   for (const Cell& cell : cells) texts.push_back(cell.text);
   line(texts);

@@ -123,7 +123,7 @@ std::string link(const std::string& target, const std::string& text) {
 }
 
 std::string picture(const std::string& svg, const std::string& caption, const std::string& more, int width) {
-  constexpr int kFitsPhones = 560;  // at half its size the text is still legible
+  constexpr int kFitsPhones = 560;  // pixels; at half this size the text is still legible
   const bool wide = width > kFitsPhones;
   const std::string style = "max-width:" + std::to_string(width * 6 / 5) + "px" +
                             (wide ? ";min-width:" + std::to_string(width * 4 / 5) + "px" : "");

@@ -30,21 +30,21 @@ constexpr std::array<const char*, LineStyle::kColours> kPalette = {"#0072b2", "#
 constexpr std::array<const char*, LineStyle::kDashes> kDashes = {"", "9,4", "2,3", "9,3,2,3", "16,4", "5,3,5,3,1,3"};
 
 constexpr std::size_t kLegend = 26, kPanelTitle = 30, kRowName = 30,
-                      kTitle = 64;  // columns of text that there is room for
+                      kTitle = 64;  // columns of text that a title has room for
 
-/// Stands for the figure's name in its commands until that is known. No text that is shown can contain it: all of that
-/// is made printable.
+/// A placeholder for the plot's name in its commands, until the name is known. Text that is shown cannot contain it,
+/// because all of it is made printable.
 constexpr char kName = '\x01';
 const std::string kData = std::string("'") + kName + ".csv'";
 
-/// A gnuplot string; nothing in printable text is special between single quotes but these.
+/// A gnuplot string. Between single quotes only these characters of printable text are special.
 std::string gnuplot_string(const std::string& text) {
   std::string result = "'";
   for (const char c : printable(text)) result += c == '\'' ? std::string("''") : std::string(1, c);
   return result + "'";
 }
 
-/// The same for a label of a tic, which gnuplot takes for a format of the tic's number.
+/// The same for a label of a tic, which gnuplot would read as a format for the number of the tic.
 std::string tic_string(const std::string& text) {
   std::string format;
   for (const char c : text) format += c == '%' ? std::string("%%") : std::string(1, c);
@@ -73,7 +73,7 @@ std::string terminal(Plot::Size size, int font) {
 std::string axis(const char* name, const Axis& a, bool small) {
   std::ostringstream text;
   if (!a.label.empty())
-    // The empty line below the label keeps the legend away from it.
+    // An empty line below the label keeps it away from the legend.
     text << "set " << name << "label " << gnuplot_string(a.label)
          << (*name == 'x' ? ".\"\\n\" noenhanced offset 0,0.5\n" : " noenhanced\n");
   else text << "unset " << name << "label\n";
@@ -114,7 +114,7 @@ std::string plot(const Panel& panel, double width) {
   return text.str();
 }
 
-/// Three entries a line of the legend or, if their names are long, two.
+/// Columns of the legend: three or, if the names are long, two.
 int legend_columns(const Panel& panel) {
   return std::ranges::any_of(panel.curves, [](const auto& curve) { return width(curve.label) > 14; }) ? 2 : 3;
 }
@@ -150,7 +150,7 @@ std::string grid(const std::string& title, const std::vector<Panel>& panels, int
   return text.str();
 }
 
-/// Room round a heat map for names and scale.
+/// Margins of a heat map, for its names and its scale.
 struct Margins {
   int left, bottom, right = 95, top = 42;
 };
@@ -161,7 +161,7 @@ Margins margins(const HeatMap& map) {
     for (const std::string& name : names) length = std::max(length, std::min(width(printable(name)), kRowName));
     return static_cast<int>(length);
   };
-  // Rows' names stand left of the map; those of columns lean out to the left below it.
+  // The names of rows are left of the map; those of columns are below it, slanted to the left.
   return {std::max(8 * longest(map.rows) + 20, 6 * longest(map.columns) - 20), 5 * longest(map.columns) + 30};
 }
 
@@ -171,7 +171,7 @@ Plot::Size size_of(const HeatMap& map) {
           margin.bottom + margin.top + 18 + 30 * static_cast<int>(map.rows.size())};
 }
 
-/// Each cell is a coloured box with its number, in black on light colours and white on dark ones.
+/// Each cell is a coloured box with its number: black on light colours, white on dark ones.
 std::string heat_map(const HeatMap& map, Plot::Size size) {
   const Margins margin = margins(map);
   std::ostringstream text;
@@ -218,7 +218,7 @@ std::string with_name(const std::string& text, const std::string& name) {
   return result;
 }
 
-/// What gnuplot says goes wrong, in one line: the message stands below the offending line and a caret.
+/// The one line in gnuplot's output that says what is wrong; it follows the offending line and a caret.
 std::string message_in(const std::string& said) {
   std::istringstream in(said);
   std::string last;
@@ -229,14 +229,14 @@ std::string message_in(const std::string& said) {
   return last;
 }
 
-/// How a program that was run ended.
+/// How a program ended that was run.
 struct Ended {
-  int status = 0;    ///< as waitpid() has it
-  std::string said;  ///< on standard error
+  int status = 0;    ///< status as waitpid() gives it
+  std::string said;  ///< what it wrote to standard error
 };
 
-/// Runs gnuplot on a file in a folder. It knows no settings of the user's (-d), which would draw something else. Throws
-/// PlotError if it cannot be run.
+/// Runs gnuplot on a file in a folder, without the user's settings (-d), which could change the plot. Throws PlotError
+/// if gnuplot cannot be run.
 Ended run_gnuplot(const std::filesystem::path& folder, const std::string& script) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw PlotError("gnuplot: " + system_reason(errno));
@@ -265,7 +265,7 @@ Ended run_gnuplot(const std::filesystem::path& folder, const std::string& script
   return ended;
 }
 
-/// Whether a file is a whole SVG picture.
+/// Is the file a complete SVG picture?
 bool is_picture(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary | std::ios::ate);
   if (!in) return false;
@@ -300,7 +300,7 @@ void Plot::write(const std::filesystem::path& folder, const std::string& name) c
 void draw(const std::filesystem::path& folder, const std::string& name) {
   const std::filesystem::path picture = folder / (name + ".svg");
   std::error_code ignored;
-  std::filesystem::remove(picture, ignored);  // an old one would pass for this one
+  std::filesystem::remove(picture, ignored);  // otherwise an old picture would pass for the new one
   const Ended ended = run_gnuplot(folder, name + ".gp");
   const std::string message = message_in(ended.said);
   std::string reason;

@@ -6,7 +6,7 @@ for i in 3 4 5 6 7 8 9 10; do "$rectilin" convert "shape:prism?sides=$i" "meshes
 cp m/meshes5.off m/again.off
 printf 'OFF\nrubbish\n' >m/bad.off
 
-expect 0 'all.db: 9 done \(1 of them the same as others\), 1 failed, 0 limited, 0 were there' "$rectilin" measure m -o all.db
+expect 0 'all.db: 9 done \(1 of them equal to others\), 1 failed, 0 limited, 0 were there' "$rectilin" measure m -o all.db
 expect 0 'all.db: 0 done, 0 failed, 0 limited, 10 were there' "$rectilin" measure m --out all.db --threads 1
 expect 0 '1 failed.* 9 were there' "$rectilin" measure m -O all.db --retry
 expect 2 "the store holds results of 'measure' with .*\"seed\":1" "$rectilin" measure m -o all.db --seed 2
@@ -16,7 +16,7 @@ expect 2 'more than one store' "$rectilin" measure m -o a.db -o b.db
 expect 2 "shard '2/2'" "$rectilin" measure m -o a.db --shard 2/2
 expect 0 '9 done' "$rectilin" measure m -o grid -o grid.db
 expect 1 'cannot be written' "$rectilin" measure m -o nowhere/a.db
-expect 2 'do not go with a store' "$rectilin" measure m -o a.db --json
+expect 2 'cannot be used with a store' "$rectilin" measure m -o a.db --json
 
 # Two shards make the whole, and merging twice changes nothing.
 for i in 0 1; do expect 0 'done' "$rectilin" measure m -o part$i.db --shard $i/2; done

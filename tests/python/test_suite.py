@@ -117,9 +117,9 @@ def test_foreign_runs_are_on_the_page(comparison, command):
         ({"problem": "cone"}, "no problem 'cone'"),
         ({"optimizer": "grid"}, "has an optimizer 'grid' of its own"),
         ({"optimizer": 5}, "'optimizer' is no text"),
-        ({"run": -1}, "'run' is no whole number"),
+        ({"run": -1}, "'run' is not a whole number"),
         ({"evaluations": []}, "of one length"),
-        ({"evaluations": "x"}, "no list of numbers"),
+        ({"evaluations": "x"}, "not a list of numbers"),
         ({"value": [1.2, 1.3], "evaluations": [1, 2]}, "'value' does not fall at element 1"),
         ({"value": [1.3, 1.2], "evaluations": [2, 2]}, "'evaluations' does not rise at element 1"),
         ({"value": [1.01], "evaluations": [1]}, "does not have the last value"),
@@ -138,7 +138,7 @@ def test_foreign_runs_are_not_believed(comparison, changes, text):
 
 def test_foreign_text_that_is_no_runs(comparison):
     pathlib.Path("runs.jsonl").write_text("{")
-    with pytest.raises(rectilin.ParameterError, match="line 1: no JSON object"):
+    with pytest.raises(rectilin.ParameterError, match="line 1: not a JSON object"):
         rectilin.read_traces("out", "runs.jsonl")
     pathlib.Path("runs.jsonl").write_text("\n")
     with pytest.raises(rectilin.ParameterError, match="no run in it"):

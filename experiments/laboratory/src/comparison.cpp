@@ -41,10 +41,10 @@ void store_plan(const Plan& plan, const fs::path& folder) {
     std::ifstream in(file);
     stored = plan_from_json(Json::parse(in));
   } catch (const Json::exception&) {
-    throw ParameterError(file.string() + ": is no plan of a comparison; choose another folder");
+    throw ParameterError(file.string() + ": is not the plan of a comparison; choose another folder");
   }
   if (stored != plan)
-    throw ParameterError(folder.string() + " holds a comparison by another plan (" + difference(stored, plan) +
+    throw ParameterError(folder.string() + " holds a comparison with another plan (" + difference(stored, plan) +
                          "); choose another folder or remove it");
 }
 
@@ -52,7 +52,7 @@ Json trace_json(const RunRecord& record, const Objective& objective) {
   Json evaluations = Json::array(), seconds = Json::array(), merit = Json::array();
   double best = std::numeric_limits<double>::infinity();
   for (const TracePoint& point : record.trace) {
-    if (!(point.value < best)) continue;  // the bound rose, not the incumbent
+    if (!(point.value < best)) continue;  // here the bound rose, not the incumbent
     best = point.value;
     evaluations.push_back(point.evaluations);
     seconds.push_back(std::round(point.seconds * 1e7) / 1e7);
@@ -61,16 +61,16 @@ Json trace_json(const RunRecord& record, const Objective& objective) {
   return {{"evaluations", evaluations}, {"seconds", seconds}, {"merit", merit}};
 }
 
-/// Budgets of a run that the search for the best known value has.
+/// How many budgets of a run the search for the best known value gets.
 constexpr std::uint64_t kReferenceBudgets = 10;
 
-/// A mesh of the plan with what is known of it.
+/// A mesh of the plan and what is known about it.
 struct Problem {
   std::string name, error;
-  std::string digest;  // of the mesh
+  std::string digest;  // digest of the mesh
   std::size_t faces = 0;
   std::optional<AreaVectors> vectors;
-  std::shared_ptr<const Objective> other;  // searched instead of R, if the plan says so
+  std::shared_ptr<const Objective> other;  // what is searched instead of R, if the plan says so
   bool certified = false;
 };
 
@@ -127,7 +127,7 @@ class Comparison {
   void recall(const Json& line) {
     for (Problem& problem : problems_) {
       if (problem.name != line.at("mesh")) continue;
-      // A mesh that could not be read then is measured now.
+      // A mesh that could not be read before is tried again.
       problem.certified = !line.contains("error") || !problem.vectors;
       if (line.contains("error")) continue;
       if (problem.vectors && line.value("mesh_digest", "") != problem.digest)
@@ -158,8 +158,8 @@ class Comparison {
     }
   }
 
-  /// The best that a search finds on the mesh as it is, for objectives without proof: in the form of a certificate that
-  /// bounds nothing.
+  /// For objectives without proof: the best value that a search finds on the mesh as it is, in the form of the line
+  /// that bounds would have.
   std::optional<Json> search_reference(const Problem& problem) const {
     RunSettings settings;
     settings.budget.evaluations = kReferenceBudgets * plan_.budget;
@@ -175,7 +175,7 @@ class Comparison {
     return line;
   }
 
-  /// Bounds R of the mesh as it is and writes its line.
+  /// Proves bounds of R for the mesh as it is, and writes its line.
   void certify(Problem& problem) {
     show("bounding the optimum of " + problem.name);
     Json line = {{"mesh", problem.name}};
@@ -206,12 +206,12 @@ class Comparison {
   void run_tasks() {
     begin_ = std::chrono::steady_clock::now();
     show("");
-    // Journal lines are written when a run has finished, in whatever order; the results are sorted when they are read.
+    // Lines are written in the order in which runs finish; the results are sorted when they are read.
     std::vector<std::string> names;
     for (const Task& task : tasks_) names.push_back(task.entry->label + " on " + task.problem->name);
     std::mutex writing;
     const auto perform = [&](std::size_t i) {
-      // An arena of one thread keeps a run's inner loops on the thread that began it, so its times are its own.
+      // In an arena of one thread the loops inside a run stay on the thread that began it, so its times are its own.
       tbb::task_arena(1).execute([&] {
         const Json line = perform_run(tasks_[i]);
         const std::lock_guard lock(writing);
@@ -230,7 +230,7 @@ class Comparison {
     return std::make_unique<ProjectedArea>(rotated(*problem.vectors, rotation), problem.name);
   }
 
-  /// The run's line; null if it was stopped.
+  /// Does a run and returns its line; null if it was stopped.
   Json perform_run(const Task& task) const {
     const Instance problem = instance(plan_.seed, task.problem->name, task.run);
     const std::unique_ptr<const Objective> objective = turned(*task.problem, problem.rotation);
@@ -259,7 +259,8 @@ class Comparison {
     show(task.entry->label + " on " + task.problem->name);
   }
 
-  /// How long a run may take, in any unit: the optimizers' own work is worth some hundred directions.
+  /// An estimate of how long a run takes, in arbitrary units: the optimizers' own work counts like some
+  /// hundred directions.
   static double work(const Task& task) { return 300 + static_cast<double>(task.problem->vectors->size()); }
 
   void show(std::string text) {
@@ -271,7 +272,7 @@ class Comparison {
   const fs::path& folder_;
   const ComparisonSettings& settings_;
   MeasureOptions certifier_;
-  std::unique_ptr<Optimizer> reference_;  // instead of the certifier, for objectives without proof
+  std::unique_ptr<Optimizer> reference_;  // takes the place of the certifier if there is no proof
   std::vector<std::unique_ptr<Optimizer>> optimizers_;
   std::vector<Problem> problems_;
   std::set<std::tuple<std::string, std::string, int>> done_;
@@ -294,7 +295,7 @@ ComparisonOutcome run_comparison(const Plan& plan, const fs::path& folder, const
                                  const ComparisonSettings& settings) {
   check(plan, registry);
   if (!plan.proves() && !settings.objective)
-    throw ParameterError("nothing makes the objective '" + plan.objective + "'");
+    throw ParameterError("the objective '" + plan.objective + "' is unknown here");
   fs::create_directories(folder);
   const FolderLock lock(folder);
   store_plan(plan, folder);

@@ -1,4 +1,4 @@
-// Runs of other programs, read into a comparison.
+// Reads runs of other programs into a comparison.
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -31,16 +31,16 @@ std::string text_field(const Json& line, const char* name) {
 }
 
 std::vector<double> numbers(const Json& list, const char* name) {
-  if (!list.is_array()) throw Refused{std::string("'") + name + "' is no list of numbers"};
+  if (!list.is_array()) throw Refused{std::string("'") + name + "' is not a list of numbers"};
   std::vector<double> result;
   for (const Json& x : list) {
-    if (!x.is_number()) throw Refused{std::string("'") + name + "' is no list of numbers"};
+    if (!x.is_number()) throw Refused{std::string("'") + name + "' is not a list of numbers"};
     result.push_back(x.get<double>());
   }
   return result;
 }
 
-/// -1: each less than the one before; +1: greater.
+/// Refuses a list unless each element is less (sign -1) or greater (sign 1) than the one before.
 void require_monotonic(const std::vector<double>& list, int sign, const char* name) {
   for (std::size_t i = 1; i < list.size(); ++i)
     if (!(sign * (list[i] - list[i - 1]) > 0))
@@ -71,27 +71,28 @@ class ForeignReader {
                 const std::function<ComparedMesh(const std::string& mesh)>& load)
       : results_(results), own_(own), load_(load) {}
 
-  /// The line as runs.jsonl would have it.
+  /// Checks a line and returns it as runs.jsonl would have it.
   Json read(const Json& line) {
-    if (!line.is_object()) throw Refused{"no JSON object"};
+    if (!line.is_object()) throw Refused{"not a JSON object"};
     const MeshResult& mesh = mesh_named(text_field(line, "problem"));
     const std::string label = text_field(line, "optimizer");
     if (own_.contains(label)) throw Refused{"the comparison has an optimizer '" + label + "' of its own"};
     const Json& run = field(line, "run");
     if (!run.is_number_unsigned() || run.get<std::uint64_t>() > 1'000'000'000)
-      throw Refused{"'run' is no whole number from 0"};
+      throw Refused{"'run' is not a whole number of 0 or more"};
 
     const std::vector<double> evaluations = numbers(field(line, "evaluations"), "evaluations");
     const std::vector<double> value = numbers(field(line, "value"), "value");
     std::vector<double> seconds(evaluations.size(), 0.0);
     if (line.contains("seconds")) seconds = numbers(line["seconds"], "seconds");
     if (evaluations.empty() || evaluations.size() != value.size() || evaluations.size() != seconds.size())
-      throw Refused{"'evaluations', 'value' and 'seconds' are not lists of one length, of one element at least"};
+      throw Refused{"'evaluations', 'value' and 'seconds' are not lists of the same length with at least one element"};
     require_monotonic(evaluations, 1, "evaluations");
     require_monotonic(value, -1, "value");
     if (!(evaluations.front() >= 1) || std::ranges::any_of(evaluations, [](double x) { return x != std::floor(x); }))
-      throw Refused{"'evaluations' are not whole numbers from 1"};
-    if (!std::ranges::is_sorted(seconds) || !(seconds.front() >= 0)) throw Refused{"'seconds' do not rise from 0"};
+      throw Refused{"'evaluations' are not whole numbers of 1 or more"};
+    if (!std::ranges::is_sorted(seconds) || !(seconds.front() >= 0))
+      throw Refused{"'seconds' must not be negative and must not fall"};
     const double total = line.contains("total_evaluations") && line["total_evaluations"].is_number()
                              ? line["total_evaluations"].get<double>()
                              : evaluations.back();
@@ -102,7 +103,7 @@ class ForeignReader {
     if (!(std::abs(true_value - value.back()) < 1e-9))
       throw Refused{"the rotation does not have the last value, " + std::to_string(value.back()) + ", but " +
                     std::to_string(true_value)};
-    if (!(value.back() > 1 - 1e-9)) throw Refused{"a value is below 1, which none is"};
+    if (!(value.back() > 1 - 1e-9)) throw Refused{"a value is below 1, which no rotation can have"};
 
     Json merit = Json::array();
     for (const double v : value) merit.push_back(rectilinearity(v));
@@ -185,10 +186,10 @@ std::size_t add_foreign_runs(const fs::path& folder, std::string_view text, cons
     } catch (const Refused& refused) {
       refuse(refused.reason);
     } catch (const Json::exception&) {
-      refuse("no JSON object");
+      refuse("not a JSON object");
     }
   }
-  if (count == 0) throw ParameterError(name + ": there is no run in it");
+  if (count == 0) throw ParameterError(name + ": contains no runs");
   std::string content;
   for (const auto& [key, line] : lines) content += to_text(line) + '\n';
   write_whole_file(folder / kForeignFile, content);

@@ -9,13 +9,13 @@
 namespace rectilin::laboratory {
 namespace {
 
-constexpr const char* kVersion = "0.3.17";  // of the format: readers look for at least 0.3.3
+constexpr const char* kVersion = "0.3.17";  // version of the format; readers want at least 0.3.3
 
 struct LoggedPoint {
   double evaluations, gap;
 };
 
-/// What the data file says of a run: it begins with evaluation 1 and ends with the last one.
+/// The points of a run that go into the data file: it begins with evaluation 1 and ends with the last one.
 std::vector<LoggedPoint> logged_points(const RunResult& run) {
   std::vector<LoggedPoint> points = {{1, run.trace.worst}};
   for (std::size_t i = 0; i < run.trace.gap.size(); ++i) {
@@ -47,7 +47,7 @@ Json run_json(const RunResult& run, const std::vector<LoggedPoint>& points) {
             {"x", {q.x() / q.w(), q.y() / q.w(), q.z() / q.w()}}}}};
 }
 
-/// `name` stands for the mesh.
+/// Writes the files of one mesh and one entry; `name` is the mesh's name in them.
 void export_function(std::size_t mesh, const std::string& name, const Entry& entry,
                      const std::vector<const RunResult*>& runs, const std::filesystem::path& folder) {
   const std::string id = "f" + std::to_string(mesh + 1);
@@ -82,7 +82,7 @@ void export_ioh(const Results& results, const std::filesystem::path& folder) {
   const std::vector<std::string> names = unique_slugs(titles);
   for (std::size_t e = 0; e < results.plan.entries.size(); ++e) {
     const Entry& entry = results.plan.entries[e];
-    // Labels may differ in signs only, which a slug drops.
+    // Labels may differ only in characters that slug() drops, so the number comes first.
     const std::filesystem::path own = folder / (std::to_string(e + 1) + "-" + slug(entry.label));
     for (std::size_t mesh = 0; mesh < results.meshes.size(); ++mesh) {
       const auto runs = results.of(mesh, e);

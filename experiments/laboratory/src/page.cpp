@@ -13,7 +13,7 @@ using report::html::link;
 using report::html::paragraph;
 
 std::string picture(const PageImage& figure, const std::filesystem::path& folder) {
-  if (figure.name.empty()) return "";  // no mesh could be measured
+  if (figure.name.empty()) return "";  // there is none: no mesh could be measured
   const std::string base = "plots/" + figure.name;
   const std::string files = "Data: " + link(base + ".csv", "CSV") + ", " + link(base + ".gp", "gnuplot") + ".";
   if (!std::filesystem::exists(folder / (base + ".svg")))
@@ -39,7 +39,7 @@ std::string introduction(const Results& results) {
                             escape(plan.certificate) +
                             ") before it, has found, against that of the best rotation this run has found. It may be "
                             "too small: a better value may exist. Where tables say \"certified\" they show that best "
-                            "known value, turned around in sign.");
+                            "known value with its sign changed.");
   text += paragraph(
       "The <b>gap</b> is the certified upper bound of R(M) less R at the best rotation a run has found: it is never "
       "too small. No gap below the width of the mesh's certificate can be told from none; it is shown as that width, "
@@ -48,12 +48,12 @@ std::string introduction(const Results& results) {
   return text;
 }
 
-std::string mesh_sections(const Results& results, const PageFigures& figures, const std::filesystem::path& folder) {
+std::string mesh_sections(const Results& results, const PagePlots& figures, const std::filesystem::path& folder) {
   std::string text;
   std::size_t shown = 0;
   for (const MeshResult& mesh : results.meshes) {
     if (!mesh.error.empty()) continue;
-    const PageFigures::OfMesh& own = figures.meshes[shown++];
+    const PagePlots::OfMesh& own = figures.meshes[shown++];
     text += "<h3>" + escape(mesh.title) + "</h3>\n" +
             report::html::side_by_side(picture(own.evaluations, folder) + picture(own.seconds, folder)) +
             report::html::details("Bands, one panel an optimizer",
@@ -78,7 +78,7 @@ std::string files_html() {
 
 }  // namespace
 
-std::string comparison_page(const Results& results, const Summary& summary, const PageFigures& figures,
+std::string comparison_page(const Results& results, const Summary& summary, const PagePlots& figures,
                             const Json& provenance, const std::filesystem::path& folder) {
   std::string body = introduction(results);
   body += heading("Who wins") + standings_html(results, summary);

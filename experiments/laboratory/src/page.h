@@ -9,23 +9,23 @@
 
 namespace rectilin::laboratory {
 
-/// A picture of the page: SVG, CSV and gnuplot files of this name stand in the folder plots/.
+/// A plot on the page: the folder plots/ holds SVG, CSV and gnuplot files of this name.
 struct PageImage {
   std::string name, caption;
-  int width = 0;  ///< natural, in pixels
+  int width = 0;  ///< natural width in pixels
 };
 
-/// What the page is made of besides numbers.
-struct PageFigures {
+/// The plots of the page.
+struct PagePlots {
   PageImage runtimes, runtimes_seconds, profile, heat;
   struct OfMesh {
     PageImage evaluations, seconds, evaluation_bands, second_bands;
   };
-  std::vector<OfMesh> meshes;  ///< those that could be measured, in order
+  std::vector<OfMesh> meshes;  ///< only meshes that could be measured, in order
 };
 
-/// index.html as text. `folder` tells which pictures have been drawn.
-std::string comparison_page(const Results& results, const Summary& summary, const PageFigures& figures,
+/// The text of index.html. `folder` shows which plots could be drawn.
+std::string comparison_page(const Results& results, const Summary& summary, const PagePlots& figures,
                             const Json& provenance, const std::filesystem::path& folder);
 
 }  // namespace rectilin::laboratory

@@ -28,14 +28,14 @@ std::string printed(const char* format, double x) {
 std::string gap_text(double gap) { return "<span class=\"number\">" + printed("%.1e", gap) + "</span>"; }
 std::string percent(double share) { return printed("%.0f %%", 100 * share); }
 
-/// Degrees; what rounds to zero has no sign.
+/// An angle in degrees; one that rounds to zero has no sign.
 std::string angle(double degrees) { return printed("%.4f", std::round(degrees * 1e4) / 1e4 + 0.0); }
 
 std::string best(bool is_best, const std::string& html) {
   return is_best ? "<span class=\"best\">" + html + "</span>" : html;
 }
 
-/// The label behind the line that stands for it in plots.
+/// The entry's label after a sample of its line in the plots.
 std::string entry_name(const Results& results, std::size_t entry) {
   const report::LineStyle style = styles(results.plan)[entry];
   return "<svg class=\"line\" viewBox=\"0 0 28 9\" aria-hidden=\"true\"><line x2=\"28\" y1=\"5\" y2=\"5\" "
@@ -46,13 +46,13 @@ std::string entry_name(const Results& results, std::size_t entry) {
 
 std::size_t last_budget(const Summary& summary) { return summary.budgets.size() - 1; }
 
-/// Place among targets() of 10^exponent.
+/// The index of 10^exponent among targets().
 std::size_t power_of_ten(int exponent) {
   const auto near = [&](double target) { return std::abs(std::log10(target) - exponent) < 0.1; };
   return static_cast<std::size_t>(std::ranges::find_if(targets(), near) - targets().begin());
 }
 
-/// Targets that tables have room for.
+/// The targets that tables have room for.
 std::vector<std::size_t> shown_targets() {
   std::vector<std::size_t> shown;
   for (int exponent = -1; exponent >= -9; --exponent) shown.push_back(power_of_ten(exponent));
@@ -229,7 +229,7 @@ std::string genetic_html(const Results& results) {
     const auto generation_150 = [](const RunResult* r) {
       return 150 * r->record.at("parameters").value("population", 50.0);
     };
-    std::vector<const RunResult*> longer = runs;  // those that went on after it
+    std::vector<const RunResult*> longer = runs;  // runs that went on after that generation
     std::erase_if(longer, [&](const RunResult* r) { return r->evaluations <= generation_150(r); });
     const auto rises = [&](double step) {
       return [&, step](const RunResult* r) {

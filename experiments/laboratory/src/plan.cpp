@@ -22,7 +22,7 @@ std::vector<std::string> split_list(const std::string& text) {
   return items;
 }
 
-/// Can it be stored and read back?
+/// Is it UTF-8, so that it can be stored and read back?
 bool is_utf8(const std::string& text) { return Json::parse(to_text(Json(text))).get<std::string>() == text; }
 
 }  // namespace
@@ -65,13 +65,14 @@ void check(const Plan& plan, const Registry& registry) {
   std::set<std::string> seen;
   for (const std::string& mesh : plan.meshes)
     if (!seen.insert(mesh).second) throw ParameterError("the mesh '" + mesh + "' is given twice");
-    else if (!is_utf8(mesh)) throw ParameterError("the mesh '" + mesh + "' has no name in UTF-8");
+    else if (!is_utf8(mesh)) throw ParameterError("the name of the mesh '" + mesh + "' is not UTF-8");
   seen.clear();
   for (const Entry& entry : plan.entries)
     if (!seen.insert(entry.label).second) throw ParameterError("the optimizer '" + entry.label + "' is given twice");
-    else if (!is_utf8(entry.label)) throw ParameterError("the optimizer '" + entry.label + "' has no name in UTF-8");
+    else if (!is_utf8(entry.label))
+      throw ParameterError("the name of the optimizer '" + entry.label + "' is not UTF-8");
   if (plan.proves() && !registry.make(plan.certificate)->capabilities().certifies)
-    throw ParameterError("'" + plan.certificate + "' proves nothing: no certificate");
+    throw ParameterError("'" + plan.certificate + "' proves nothing, so it cannot bound R");
 }
 
 Json to_json(const Plan& plan) {
@@ -110,7 +111,7 @@ Instance instance(std::uint64_t seed, std::string_view mesh, int run) {
   Random random = Random(seed).fork(Fnv1a().add(mesh).value()).fork(static_cast<std::uint64_t>(run));
   Instance result;
   result.rotation = random_rotation(random);
-  result.run_seed = random.bits() >> 11;  // 53 bits, so that readers of JSON without integers keep it
+  result.run_seed = random.bits() >> 11;  // 53 bits, so that it survives JSON readers that only have doubles
   return result;
 }
 

@@ -17,8 +17,8 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::string unit_name(Cost unit) { return unit == Cost::kEvaluations ? "evaluations" : "seconds"; }
 
-/// Costs from the first step of any run to the end of the longest, evenly spaced on a log scale; whole numbers
-/// for evaluations.
+/// Costs from the first step of any run to the end of the longest run, evenly spaced on a logarithmic scale; whole
+/// numbers for evaluations.
 std::vector<double> cost_grid(const std::vector<const RunResult*>& runs, Cost unit) {
   double first = unit == Cost::kEvaluations ? 1 : kInfinity, last = first == 1 ? 2 : 0;
   for (const RunResult* run : runs) {
@@ -43,7 +43,7 @@ std::vector<const RunResult*> runs_on(const Results& results, std::size_t mesh) 
   return runs;
 }
 
-/// A column of costs, and the columns low, median, high of each entry.
+/// A column of costs, and the three columns low, median, high for each entry.
 report::Csv convergence_table(const Results& results, std::size_t mesh, Cost unit) {
   std::vector<std::string> columns = {unit_name(unit)};
   std::vector<std::vector<const RunResult*>> runs;
@@ -65,7 +65,7 @@ report::Csv convergence_table(const Results& results, std::size_t mesh, Cost uni
   return table;
 }
 
-/// Coordinates that hold all gaps on the mesh.
+/// A panel whose axes cover all gaps on the mesh.
 report::Panel convergence_axes(const Results& results, std::size_t mesh, Cost unit) {
   double least = 0.1;
   const auto runs = runs_on(results, mesh);
@@ -81,7 +81,7 @@ std::string convergence_name(const Results& results, std::size_t mesh, Cost unit
   return kind + "-" + std::to_string(mesh + 1) + "-" + slug(results.meshes[mesh].title) + "-" + unit_name(unit);
 }
 
-/// Costs at which an entry's runs reach targets, over all meshes; infinite where they do not.
+/// The costs at which an entry's runs reach the targets, over all meshes; infinite where they do not.
 std::vector<double> runtimes(const Results& results, std::size_t entry, Cost unit) {
   std::vector<double> costs;
   for (const RunResult& run : results.runs) {
@@ -93,7 +93,8 @@ std::vector<double> runtimes(const Results& results, std::size_t entry, Cost uni
   return costs;
 }
 
-/// One panel with a step curve of shares for each entry; `sorted` are the values whose distribution it is.
+/// A plot with one panel, which has a step curve of shares for each entry; `sorted` holds the values whose distribution
+/// is shown.
 report::NamedPlot distribution_plot(const Results& results, const std::string& name, const std::string& title,
                                     const report::Axis& x, const std::string& share, const std::vector<double>& grid,
                                     const std::vector<std::vector<double>>& sorted) {
@@ -128,7 +129,7 @@ std::string slug(const std::string& text) {
     if (byte >= 0x80 || std::isalnum(byte)) result += c;
     else if (!result.empty() && result.back() != '-') result += '-';
   }
-  if (result.size() > kBytes) {  // of characters that take many bytes each, or of marks that take no room
+  if (result.size() > kBytes) {  // possible with characters of many bytes, or marks of no width
     std::size_t end = kBytes;
     while (end > 0 && (static_cast<unsigned char>(result[end]) & 0xC0) == 0x80) --end;
     result.resize(end);

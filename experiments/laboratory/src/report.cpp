@@ -95,7 +95,7 @@ report::Csv tests_table(const Results& results, const Summary& summary) {
   return table;
 }
 
-/// Writes figures as they are asked for and draws them all at the end.
+/// Writes the files of plots as they are added, and draws all of them at the end.
 class Gallery {
  public:
   explicit Gallery(fs::path folder) : folder_(std::move(folder)) { fs::create_directories(folder_); }
@@ -113,8 +113,8 @@ class Gallery {
   std::vector<std::string> names_;
 };
 
-PageFigures add_figures(const Results& results, const Summary& summary, Gallery& gallery) {
-  PageFigures figures;
+PagePlots add_plots(const Results& results, const Summary& summary, Gallery& gallery) {
+  PagePlots figures;
   if (std::ranges::none_of(results.meshes, [](const MeshResult& mesh) { return mesh.error.empty(); })) return figures;
   figures.runtimes = gallery.add(runtime_plot(results, Cost::kEvaluations));
   figures.runtimes_seconds = gallery.add(runtime_plot(results, Cost::kSeconds));
@@ -149,7 +149,7 @@ report::PictureTroubles write_report(const fs::path& folder) {
   export_ioh(results, folder / "ioh");
 
   Gallery gallery(folder / "plots");
-  const PageFigures figures = add_figures(results, summary, gallery);
+  const PagePlots figures = add_plots(results, summary, gallery);
   report::PictureTroubles troubles = gallery.draw_all();
   write_whole_file(folder / "index.html",
                    comparison_page(results, summary, figures, read_json(folder / "provenance.json"), folder));

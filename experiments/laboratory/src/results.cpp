@@ -37,9 +37,9 @@ MeshResult mesh_from_json(const Json& line) {
   line.at("faces").get_to(mesh.faces);
   line.at("directions").get_to(mesh.directions);
   mesh.area = number(line.at("area"));                  // null if out of range
-  const bool proved = line.contains("rectilinearity");  // else the best of a search, of another objective
+  const bool proved = line.contains("rectilinearity");  // otherwise the best value of a search, for another objective
   const double found = number(line.at(proved ? "rectilinearity" : "merit")), upper = number(line.at("upper"));
-  mesh.upper = std::isnan(upper) ? 1.0 : std::min(upper, 1.0);  // S <= P holds for any mesh
+  mesh.upper = std::isnan(upper) ? 1.0 : std::min(upper, 1.0);  // because S <= P for any mesh
   mesh.lower = std::isnan(found) ? rectilinearity(std::sqrt(3.0)) : std::min(found, mesh.upper);
   if (!proved) mesh.upper = mesh.lower = found;
   mesh.rotation = rotation_from_json(line.at("rotation"));
@@ -50,7 +50,8 @@ MeshResult mesh_from_json(const Json& line) {
 
 Trace trace_from_json(const Json& json, const MeshResult& mesh, bool proves) {
   Trace trace;
-  trace.worst = mesh.upper + (proves ? -rectilinearity(std::sqrt(3.0)) : std::sqrt(3.0));  // no value exceeds sqrt(3)
+  trace.worst =
+      mesh.upper + (proves ? -rectilinearity(std::sqrt(3.0)) : std::sqrt(3.0));  // because no value exceeds sqrt(3)
   json.at("evaluations").get_to(trace.evaluations);
   json.at("seconds").get_to(trace.seconds);
   for (const Json& merit : json.at("merit"))
@@ -70,7 +71,7 @@ RunResult run_from_json(Json line, const Results& results) {
   line.at("run").get_to(run.run);
   run.failed = line.at("outcome") == "failed";
   run.merit = number(line.at("merit"));
-  // R (Q v) = (R Q) v: what was found on the turned mesh, turned back.
+  // What was found on the turned mesh is turned back: R (Q v) = (R Q) v.
   run.rotation = reduce_to_zone(rotation_from_json(line.at("rotation")) * rotation_from_json(line.at("instance")));
   run.evaluations = number(line.at("evaluations"));
   run.seconds = number(line.at("seconds"));
@@ -137,7 +138,7 @@ Results load_results(const fs::path& folder) {
     mesh.title = title[i];
     results.meshes.push_back(std::move(mesh));
   }
-  // Without proof the best value known takes the bound's place.
+  // Without a proof the best known value takes the place of the bound.
   if (!results.plan.proves()) {
     for_each_line(runs, recover_journal(runs), [&](const Json& line) {
       const auto mesh = std::ranges::find(results.meshes, line.at("mesh").get<std::string>(), &MeshResult::name);
@@ -160,7 +161,7 @@ Results load_results(const fs::path& folder) {
     take(line);
   });
   std::ranges::sort(results.runs, {}, [](const RunResult& r) { return std::tuple(r.mesh, r.entry, r.run); });
-  std::vector<double> best;  // a run can beat the rotation that came with the certificate
+  std::vector<double> best;  // a run can find a better rotation than the proof of the bounds did
   for (const MeshResult& mesh : results.meshes) best.push_back(mesh.lower);
   for (const RunResult& run : results.runs) {
     if (!(run.merit > best[run.mesh])) continue;

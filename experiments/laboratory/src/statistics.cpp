@@ -8,7 +8,7 @@
 namespace rectilin::laboratory {
 namespace {
 
-/// Indices that put the values in order.
+/// The indices of the values in ascending order.
 std::vector<std::size_t> order_of(std::span<const double> values) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -27,11 +27,11 @@ std::vector<double> tie_groups(std::vector<double> values) {
   return sizes;
 }
 
-/// P(U <= u) if both samples come from one distribution without ties. The number of arrangements of m and n
-/// values with a given U is that for (m - 1, n), where the largest is one of the m, shifted by n, plus
-/// that for (m, n - 1) (Mann and Whitney 1947, eq. 4).
+/// P(U <= u) if both samples come from the same distribution without ties. The number of arrangements of m and n values
+/// with a given U is the number for (m - 1, n), where the largest value is one of the m, shifted by n, plus the number
+/// for (m, n - 1) (Mann and Whitney 1947, eq. 4).
 double exact_lower_tail(std::size_t m, std::size_t n, std::size_t u) {
-  std::vector<std::vector<double>> chance(n + 1);  // chance[j][w]: of U = w for (i, j), i growing
+  std::vector<std::vector<double>> chance(n + 1);  // chance[j][w]: chance of U = w for (i, j), while i grows
   for (auto& row : chance) row.assign(m * n + 1, 0.0);
   for (auto& row : chance) row[0] = 1;  // i = 0
   for (std::size_t i = 1; i <= m; ++i) {
@@ -46,7 +46,7 @@ double exact_lower_tail(std::size_t m, std::size_t n, std::size_t u) {
   return std::accumulate(chance[n].begin(), chance[n].begin() + static_cast<std::ptrdiff_t>(u) + 1, 0.0);
 }
 
-constexpr std::size_t kExact = 25;  ///< largest sample for which the exact distribution is tabulated
+constexpr std::size_t kExact = 25;  ///< the exact distribution is used for samples up to this size
 
 double two_sided_p(double u, std::size_t m, std::size_t n, const std::vector<double>& ties) {
   const double pairs = static_cast<double>(m * n), total = static_cast<double>(m + n);
@@ -70,7 +70,7 @@ double quantile(std::vector<double> sample, double p) {
   const std::size_t below = static_cast<std::size_t>(place);
   const std::size_t above = std::min(below + 1, sample.size() - 1);
   const double weight = place - static_cast<double>(below);
-  if (weight == 0 || sample[below] == sample[above]) return sample[below];  // also if both are infinite
+  if (weight == 0 || sample[below] == sample[above]) return sample[below];  // even if both are infinite
   return (1 - weight) * sample[below] + weight * sample[above];
 }
 

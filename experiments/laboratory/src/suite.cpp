@@ -36,7 +36,7 @@ Suite landscapes() {
       }};
 }
 
-/// Bounds of the optimum, with the mesh they are of.
+/// Measures a mesh and proves bounds of R to within `gap`.
 Rectilinearity certified(const ComparedMesh& mesh, const std::string& name, double gap, const LoopControl& control) {
   MeasureOptions options;
   options.certify.gap = gap;
@@ -66,7 +66,7 @@ Suite suite_of(const std::vector<std::string>& sources) {
   const std::vector<std::string> all = expand_folders(sources);
   if (all.empty()) throw ParameterError("there is no mesh for a suite");
   const std::vector<std::string> names = unique_slugs(titles(all));
-  Suite suite{"own", "meshes of one's own", {}};
+  Suite suite{"own", "your own meshes", {}};
   for (std::size_t i = 0; i < all.size(); ++i) suite.problems.push_back({names[i], all[i], ""});
   return suite;
 }

@@ -43,7 +43,7 @@ std::vector<std::uint64_t> budgets_of(std::uint64_t budget) {
   return budgets;
 }
 
-/// Standings of all entries after `budget` evaluations.
+/// The standings of all entries after `budget` evaluations.
 std::vector<Standing> standings_at(const Results& results, std::uint64_t budget) {
   const std::size_t entries = results.plan.entries.size();
   std::vector<Standing> standings(entries);
@@ -56,7 +56,8 @@ std::vector<Standing> standings_at(const Results& results, std::uint64_t budget)
         gaps.push_back(run->trace.gap_after(Cost::kEvaluations, static_cast<double>(budget)));
       medians.push_back(gap_quantile(gaps, 0.5));
     }
-    if (std::ranges::any_of(medians, [](double m) { return std::isnan(m); })) continue;  // not all have run
+    if (std::ranges::any_of(medians, [](double m) { return std::isnan(m); }))
+      continue;  // not all entries have run on this mesh
     ++meshes;
     const std::vector<double> rank = ranks(medians);
     const double least = *std::ranges::min_element(medians);

@@ -1,4 +1,4 @@
-// An objective of a mesh, as the objective of the mesh turned.
+// The objective of a turned mesh, made from the objective of the mesh itself.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,8 @@
 
 namespace rectilin::laboratory {
 
-/// value(R) of the mesh turned by Q is value(R Q) of the mesh itself. Gives values alone: no cuts, surrogate or turns.
+/// value(R) of the mesh turned by Q is value(R Q) of the mesh itself. It offers values only: no cuts, surrogate
+/// or turns.
 class TurnedObjective final : public Objective {
  public:
   TurnedObjective(std::shared_ptr<const Objective> objective, const Rotation& turn)

@@ -14,8 +14,7 @@ using std::numbers::pi;
 
 double from_areas(double surface, double projected) { return 3 * surface / projected - 2; }
 
-/// The least of sum_j |cos(phi_j - t)| + |sin(phi_j - t)| over t, for n directions phi_j = 2 pi j /
-/// n.
+/// The least of sum_j |cos(phi_j - t)| + |sin(phi_j - t)| over t, for n directions phi_j = 2 pi j / n.
 double least_width_sum(int n) {
   if (n % 4 == 0) return 4 / std::tan(pi / n);
   if (n % 2 == 0) return 2 / std::tan(pi / (2.0 * n));
@@ -46,7 +45,7 @@ double ellipsoid_area(double a, double b, double c) {
   const auto [x, y, z] = axes;
   if (x == z) return 4 * pi * x * x;
   const double sine = std::sqrt(1 - z / x * (z / x)), phi = std::asin(sine);
-  // The modulus; 1 for y = x up to rounding, where it must not exceed 1.
+  // The modulus of the elliptic integrals. For y = x it is 1, which rounding must not exceed.
   const double k = std::min(1.0, std::sqrt(std::max(0.0, 1 - z / y * (z / y))) / sine);
   return 2 * pi * z * z +
          2 * pi * x * y / sine * (std::ellint_2(k, phi) * sine * sine + std::ellint_1(k, phi) * (1 - sine * sine));

@@ -1,4 +1,4 @@
-// The page that shows experiments, from what their folder holds.
+// The page that shows experiments, made from the files in their folder.
 #include <fstream>
 
 #include "rectilin/base/whole_file.h"
@@ -23,7 +23,7 @@ std::string picture(const Json& about, const fs::path& folder) {
   return report::html::picture(name + ".svg", caption, files, about.at("width"));
 }
 
-/// All that it takes to repeat an experiment.
+/// Everything that is needed to repeat an experiment.
 Json record(const Json& experiment) {
   Json all;
   for (const char* key : {"settings", "meshes", "seed", "gap"}) all[key] = experiment.at(key);

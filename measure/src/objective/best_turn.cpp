@@ -1,12 +1,11 @@
-// The exact minimum over the turns about one axis of the frame: the planar problem of Zunic and
-// Rosin (2003).
+// The exact minimum over all turns about one axis of the frame: the planar problem of Zunic and Rosin (2003).
 //
-// Seen along the axis, an area vector has length rho and angle -psi. The frame turned by t, it adds
-// rho (|cos(t - psi)| + |sin(t - psi)|): period pi/2 in t, a kink at psi, concave elsewhere. So the
-// sum has its minimum at a kink, and sorting all kinks finds it. Most need no sorting: the quarter
-// circle is divided into buckets, and merging the vectors of a bucket into one changes nothing at
-// the bucket's ends and only lowers the sum between them, where the least is now at the merged
-// vector's kink. A bucket whose least is above the sum at some bucket's end is done with.
+// Seen along the axis, an area vector has a length rho and an angle -psi. When the frame turns by t, it adds rho
+// (|cos(t - psi)| + |sin(t - psi)|), which has period pi/2 in t, a kink at psi, and is concave elsewhere. So the sum
+// has its minimum at a kink, and sorting all kinks finds it. Most kinks need no sorting: the quarter circle is divided
+// into buckets. Merging the vectors of a bucket into one does not change the sum at the bucket's ends, and only lowers
+// it in between, where it is least at the kink of the merged vector. A bucket whose least value is above the sum at the
+// end of some bucket cannot hold the minimum.
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -26,11 +25,10 @@ struct Planar {
   Planar operator-(const Planar& o) const { return {x - o.x, y - o.y}; }
 };
 
-/// The sum at the angle of `at`, if `behind` = (X, Y) is the sum of the vectors of smaller angle,
-/// and (U, V) that of the others, out of `total`:
+/// The sum at the angle of `at`, where `behind` = (X, Y) is the sum of the vectors with smaller angles and (U, V), the
+/// rest of `total`, is the sum of the others:
 ///     X (c + s) + Y (s - c) + U (c - s) + V (s + c).
-/// Not a number for a vector that is nothing to the sum: of length zero, or so short that its
-/// square vanishes.
+/// NaN for a vector that contributes nothing to the sum: of length zero, or so short that its square vanishes.
 double sum_at(const Planar& at, const Planar& behind, const Planar& total) {
   return (at.x * (total.x + total.y - 2 * behind.y) + at.y * (total.y - total.x + 2 * behind.x)) /
          std::sqrt(at.x * at.x + at.y * at.y);
@@ -44,15 +42,14 @@ struct Least {
   }
 };
 
-/// Finding a bucket's least costs about as much as viewing so many vectors; a few buckets pay for
-/// any number.
+/// A bucket costs about as much as viewing kPerBucket vectors; a few buckets are worth it for any number.
 constexpr std::size_t kPerBucket = 16, kFewBuckets = 16, kMostBuckets = 4096;
-/// Vectors viewed at a time, on the stack.
+/// Number of vectors viewed at a time, on the stack.
 constexpr std::size_t kTurnBlock = 512;
-/// A task's vectors at least, and tasks at most: each has sums of its own for every bucket.
+/// Least number of vectors for a task, and largest number of tasks: each has its own sums for all buckets.
 constexpr std::size_t kTask = 32768, kMostTasks = 16;
 
-/// All vectors as seen along one axis, divided into buckets of nearly equal angle.
+/// All vectors as seen along one axis, sorted into buckets of nearly equal angles.
 class Buckets {
  public:
   Buckets(const AreaVectors& vectors, const Vector3& first, const Vector3& second)
@@ -73,7 +70,7 @@ class Buckets {
     }
   }
 
-  /// The least over all angles.
+  /// The minimum over all angles.
   Least least() const {
     Least least{{1, 0}, sum_at({1, 0}, {}, before_.back())};
     for (std::size_t b = 1; b < count_; ++b) {
@@ -97,22 +94,22 @@ class Buckets {
     Planar v;
   };
 
-  /// Of each bucket, over the faces [begin, end), whose buckets it notes.
+  /// The sums of the buckets over the vectors [begin, end); notes the bucket of each.
   std::vector<Planar> sums(std::size_t begin, std::size_t end) {
-    // Neighbours often share a bucket: two sums in turns do not wait for each other.
-    std::vector<std::array<Planar, 2>> twofold(count_);
+    // Neighbours are often in the same bucket: two sums used in turns do not wait for each other.
+    std::vector<std::array<Planar, 2>> pairs(count_);
     std::array<double, kTurnBlock> x, y;
     for (; begin < end; begin += kTurnBlock) {
       const std::size_t size = std::min(kTurnBlock, end - begin);
-      view_faces(faces_.slice(begin, begin + size), view_, x.data(), y.data(), &bucket_of_[begin]);
+      view_vectors(faces_.slice(begin, begin + size), view_, x.data(), y.data(), &bucket_of_[begin]);
       for (std::size_t i = 0; i < size; ++i) {
-        Planar& sum = twofold[bucket_of_[begin + i]][i % 2];
+        Planar& sum = pairs[bucket_of_[begin + i]][i % 2];
         sum.x += x[i];
         sum.y += y[i];
       }
     }
     std::vector<Planar> result(count_);
-    for (std::size_t b = 0; b < count_; ++b) result[b] = twofold[b][0] + twofold[b][1];
+    for (std::size_t b = 0; b < count_; ++b) result[b] = pairs[b][0] + pairs[b][1];
     return result;
   }
 
@@ -125,7 +122,7 @@ class Buckets {
       const std::size_t size = std::min(kTurnBlock, faces_.size - begin);
       const auto is_open = [&](std::int32_t b) { return open[b] != 0; };
       if (std::none_of(&bucket_of_[begin], &bucket_of_[begin] + size, is_open)) continue;
-      view_faces(faces_.slice(begin, begin + size), view_, x.data(), y.data(), bucket.data());
+      view_vectors(faces_.slice(begin, begin + size), view_, x.data(), y.data(), bucket.data());
       for (std::size_t i = 0; i < size; ++i)
         if (open[bucket[i]]) kinks.push_back({bucket[i], QuadrantView::place(x[i], y[i]), {x[i], y[i]}});
     }
@@ -135,7 +132,7 @@ class Buckets {
     return kinks;
   }
 
-  /// Offers the sum at each of the kinks.
+  /// Compares the sum at each kink with the least one so far.
   void sweep(const std::vector<Kink>& kinks, Least& least) const {
     Planar behind;
     for (std::size_t i = 0; i < kinks.size(); ++i) {
@@ -145,7 +142,7 @@ class Buckets {
     }
   }
 
-  FaceSpan<double> faces_;
+  VectorSpan<double> faces_;
   std::size_t count_;
   QuadrantView view_;
   std::vector<std::int32_t> bucket_of_;
@@ -156,7 +153,7 @@ class Buckets {
 
 BestTurn ProjectedArea::best_turn(const Rotation& rotation, int k) const {
   const Planar at = Buckets(vectors_, rotation.axis((k + 1) % 3), rotation.axis((k + 2) % 3)).least().at;
-  // The running sums lose digits: the value returned is the one that values() gives there. The
+  // The running sums lose digits, so the value returned is the one that values() gives at the end. Going through a
   // quaternion keeps long chains of turns orthonormal.
   const Vector3 turn = std::atan2(at.y, at.x) * Vector3::Unit(k);
   BestTurn best;

@@ -6,7 +6,7 @@
 namespace rectilin {
 namespace {
 
-/// Rotations of one pass: enough to fill every thread, few enough to stay on the stack and in cache.
+/// Number of rotations in one pass: enough to keep all threads busy, few enough for the stack and the cache.
 constexpr std::size_t kRotationsPerPass = 256;
 
 }  // namespace
@@ -26,14 +26,15 @@ const DirectionTree& ProjectedArea::tree() const {
 void ProjectedArea::values(std::span<const Rotation> rotations, std::span<double> values) const {
   std::array<Vector3, 3 * kRotationsPerPass> directions;
   std::array<double, 3 * kRotationsPerPass> h;
-  std::array<std::array<std::size_t, 3>, kRotationsPerPass> axes;  // where each rotation's axes are among the directions
+  std::array<std::array<std::size_t, 3>, kRotationsPerPass>
+      axes;  // where each rotation's axes are among the directions
   for (std::size_t begin = 0; begin < rotations.size(); begin += kRotationsPerPass) {
     const std::size_t count = std::min(kRotationsPerPass, rotations.size() - begin);
     std::size_t used = 0;
     for (std::size_t i = 0; i < count; ++i)
       for (int k = 0; k < 3; ++k) {
         const Vector3 axis = rotations[begin + i].axis(k);
-        // A grid's neighbours along gamma share their third axis: h(r3) is summed once for the line.
+        // Neighbours of a grid along gamma have the same third axis: h(r3) is summed once for the whole line.
         if (i > 0 && directions[axes[i - 1][k]] == axis) {
           axes[i][k] = axes[i - 1][k];
         } else {
@@ -64,7 +65,7 @@ void ProjectedArea::cuts(std::span<const Rotation> rotations, std::span<Cut> cut
 }
 
 CutBounds ProjectedArea::cut_bounds() const {
-  // Two directions merged as parallel may be kParallel apart; dividing by S takes a few roundoffs.
+  // Two directions that were merged may be kParallel apart; dividing by S costs a few roundoffs.
   const double sums = use_tree_ ? DirectionTree::kErrorBound : FlatSum::relative_error_bound(flat_.precision());
   return {.error = sums + 4 * kParallel, .norm = 1 + 1e-12, .floor = 1 - 0x1p-50};  // floor: eq. (12)
 }

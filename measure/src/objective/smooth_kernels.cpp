@@ -1,5 +1,5 @@
-// The vector loop of the smooth surrogate, compiled once for each instruction set.
-// foreach_target.h includes this file again for every instruction set and has to come first.
+// The vector loop of the smooth surrogate, compiled once for each instruction set. foreach_target.h includes this file
+// again for each instruction set and has to come first.
 // clang-format off
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "objective/smooth_kernels.cpp"
@@ -15,13 +15,12 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Keeps vectors so short that their squares vanish from dividing zero by zero; its root is far
-// below any sum's last digit.
+// Prevents 0/0 for vectors so short that their squares vanish. Its root is far below the last digit of any sum.
 constexpr double kLeast = 0x1p-1000;
 
-/// Adds the faces from `begin` on that fill whole registers of D; returns where it stopped.
+/// Adds the vectors from `begin` on that fill whole registers of D; returns where it stopped.
 template <class D>
-HWY_INLINE std::size_t add_faces(D d, const FaceSpan<double>& faces, std::size_t begin, const Eigen::Matrix3d& frame,
+HWY_INLINE std::size_t add_faces(D d, const VectorSpan<double>& faces, std::size_t begin, const Eigen::Matrix3d& frame,
                                  double width, SmoothSums& sums) {
   using V = hn::Vec<D>;
   V value = hn::Zero(d), gradient[3][3], r[3][3];
@@ -48,7 +47,7 @@ HWY_INLINE std::size_t add_faces(D d, const FaceSpan<double>& faces, std::size_t
   return i;
 }
 
-SmoothSums sums_of(const FaceSpan<double>& faces, const Eigen::Matrix3d& frame, double width) {
+SmoothSums sums_of(const VectorSpan<double>& faces, const Eigen::Matrix3d& frame, double width) {
   SmoothSums sums;
   const std::size_t rest = add_faces(hn::ScalableTag<double>(), faces, 0, frame, width, sums);
   add_faces(hn::CappedTag<double, 1>(), faces, rest, frame, width, sums);
@@ -64,7 +63,7 @@ namespace rectilin {
 
 HWY_EXPORT(sums_of);
 
-SmoothSums smooth_sums(const FaceSpan<double>& faces, const Eigen::Matrix3d& frame, double width) {
+SmoothSums smooth_sums(const VectorSpan<double>& faces, const Eigen::Matrix3d& frame, double width) {
   return HWY_DYNAMIC_DISPATCH(sums_of)(faces, frame, width);
 }
 

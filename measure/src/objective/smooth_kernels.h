@@ -1,4 +1,4 @@
-// What the smooth surrogate (smooth.cpp) asks of its vector loop (smooth_kernels.cpp).
+// The interface between the smooth surrogate (smooth.cpp) and its vector loop (smooth_kernels.cpp).
 #pragma once
 
 #include <Eigen/Core>
@@ -7,14 +7,15 @@
 
 namespace rectilin {
 
-/// Sums over some faces: of sqrt((r_k . v)^2 + e^2) over the rows r_k of a frame, with e = width
+/// Sums over some area vectors v: of sqrt((r_k . v)^2 + e^2) over the rows r_k of a frame, with e = width |v|, and of
+/// the derivatives with respect to the entries of the frame.
 /// |v|, and of their derivatives by the entries of the frame.
 struct SmoothSums {
   double value = 0;
   Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
 };
 
-/// On the best instruction set that is present and not ruled out by ScopedInstructionSet.
-SmoothSums smooth_sums(const FaceSpan<double>& faces, const Eigen::Matrix3d& frame, double width);
+/// Uses the best instruction set of the processor that ScopedInstructionSet allows.
+SmoothSums smooth_sums(const VectorSpan<double>& faces, const Eigen::Matrix3d& frame, double width);
 
 }  // namespace rectilin

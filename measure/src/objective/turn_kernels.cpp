@@ -1,5 +1,5 @@
-// The vector loop of the best turn, compiled once for each instruction set.
-// foreach_target.h includes this file again for every instruction set and has to come first.
+// The vector loop of the best turn, compiled once for each instruction set. foreach_target.h includes this file again
+// for each instruction set and has to come first.
 // clang-format off
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "objective/turn_kernels.cpp"
@@ -15,9 +15,9 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Views the faces from `begin` on that fill whole registers of D; returns where it stopped.
+/// Views the vectors from `begin` on that fill whole registers of D; returns where it stopped.
 template <class D>
-HWY_INLINE std::size_t view_some(D d, const FaceSpan<double>& faces, std::size_t begin, const QuadrantView& view,
+HWY_INLINE std::size_t view_some(D d, const VectorSpan<double>& faces, std::size_t begin, const QuadrantView& view,
                                  double* x, double* y, std::int32_t* bucket) {
   using V = hn::Vec<D>;
   V p[3], q[3];
@@ -31,8 +31,7 @@ HWY_INLINE std::size_t view_some(D d, const FaceSpan<double>& faces, std::size_t
     const V vx = hn::LoadU(d, faces.x + i), vy = hn::LoadU(d, faces.y + i), vz = hn::LoadU(d, faces.z + i);
     const V a = hn::MulAdd(p[0], vx, hn::MulAdd(p[1], vy, hn::Mul(p[2], vz)));
     const V b = hn::MulAdd(q[0], vx, hn::MulAdd(q[1], vy, hn::Mul(q[2], vz)));
-    // A half turn changes both signs; a quarter turn brings what lies in the second quadrant to the
-    // first.
+    // A half turn changes both signs; a quarter turn moves what is in the second quadrant to the first.
     const auto second_quadrant = hn::Xor(hn::Lt(a, zero), hn::Lt(b, zero));
     const V across = hn::IfThenElse(second_quadrant, hn::Abs(b), hn::Abs(a));
     const V up = hn::IfThenElse(second_quadrant, hn::Abs(a), hn::Abs(b));
@@ -44,7 +43,7 @@ HWY_INLINE std::size_t view_some(D d, const FaceSpan<double>& faces, std::size_t
   return i;
 }
 
-void view_all(const FaceSpan<double>& faces, const QuadrantView& view, double* x, double* y, std::int32_t* bucket) {
+void view_all(const VectorSpan<double>& faces, const QuadrantView& view, double* x, double* y, std::int32_t* bucket) {
   const std::size_t rest = view_some(hn::ScalableTag<double>(), faces, 0, view, x, y, bucket);
   view_some(hn::CappedTag<double, 1>(), faces, rest, view, x, y, bucket);
 }
@@ -58,7 +57,8 @@ namespace rectilin {
 
 HWY_EXPORT(view_all);
 
-void view_faces(const FaceSpan<double>& faces, const QuadrantView& view, double* x, double* y, std::int32_t* bucket) {
+void view_vectors(const VectorSpan<double>& faces, const QuadrantView& view, double* x, double* y,
+                  std::int32_t* bucket) {
   HWY_DYNAMIC_DISPATCH(view_all)(faces, view, x, y, bucket);
 }
 

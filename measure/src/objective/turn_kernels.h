@@ -1,4 +1,4 @@
-// What the best turn (best_turn.cpp) asks of its vector loop (turn_kernels.cpp).
+// The interface between the best turn (best_turn.cpp) and its vector loop (turn_kernels.cpp).
 #pragma once
 
 #include <cstdint>
@@ -7,22 +7,21 @@
 
 namespace rectilin {
 
-/// The view along an axis of a frame: (first . v, -second . v), turned by right angles into the
-/// first quadrant.
+/// How vectors look along an axis of a frame: (first . v, -second . v), turned by right angles into the first quadrant.
 struct QuadrantView {
   Vector3 first, second;
-  double buckets;  ///< parts the quadrant is divided into
+  double buckets;  ///< number of parts that the quadrant is divided into
 
-  /// Where in the quadrant (x, y), x, y >= 0, points: from 0 to 1 as the angle goes from 0 to pi/2,
-  /// and without its arc tangent. 0 for the zero vector.
+  /// Where (x, y), x, y >= 0, lies in the quadrant: from 0 to 1 as the angle goes from 0 to pi/2, though not in
+  /// proportion to it, which saves an arc tangent. 0 for the zero vector.
   static double place(double x, double y) { return y / std::max(x + y, kLeast); }
 
   static constexpr double kLeast = 0x1p-1000;
 };
 
-/// x[i], y[i]: the view of face i; bucket[i]: the whole part of buckets * place(x[i], y[i]), less
-/// than buckets. On the best instruction set that is present and not ruled out by
-/// ScopedInstructionSet.
-void view_faces(const FaceSpan<double>& faces, const QuadrantView& view, double* x, double* y, std::int32_t* bucket);
+/// Writes the view of vector i to x[i], y[i], and to bucket[i] the whole part of buckets * place(x[i], y[i]), which is
+/// less than buckets. Uses the best instruction set of the processor that ScopedInstructionSet allows.
+void view_vectors(const VectorSpan<double>& faces, const QuadrantView& view, double* x, double* y,
+                  std::int32_t* bucket);
 
 }  // namespace rectilin

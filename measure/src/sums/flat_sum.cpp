@@ -1,4 +1,4 @@
-// Splits flat sums into kernel calls: over chunks of faces, slabs of directions, and threads.
+// Splits flat sums into kernel calls over chunks of vectors and slabs of directions, and shares them among threads.
 #include "rectilin/measure/flat_sum.h"
 
 #include <tbb/parallel_for.h>
@@ -13,10 +13,10 @@
 
 namespace rectilin {
 
-/// Faces in the form the kernels read: whole cache lines in place, the rest padded with zeros.
+/// The area vectors in the form that the kernels read: whole cache lines in place, the rest padded with zeros.
 template <class T>
 struct FlatFaces {
-  FaceSpan<T> whole, tail;
+  VectorSpan<T> whole, tail;
 
   std::size_t chunks() const { return std::max<std::size_t>(1, ceil_div(whole.size, kChunk)); }
 
@@ -29,17 +29,17 @@ struct FlatFaces {
 
 namespace {
 
-// Directions of one task: a multiple of every kernel's group size. 32 would split a population of fifty rotations
-// unevenly between two threads.
+// Number of directions in a task, a multiple of the group size of every kernel. 32 would divide a population of fifty
+// rotations unevenly between two threads.
 constexpr std::size_t kTaskDirections = 24;
 
-// Below this many (face, direction) pairs, some 50 microseconds, tasks cost more than they save.
+// Below this many pairs of a vector and a direction, some 50 microseconds of work, tasks cost more than they save.
 constexpr std::size_t kSerialPairs = std::size_t{1} << 21;
 
 enum class Schedule { kSerial, kThreads };
 
-/// Kernel sums for one slab of directions. Chunks are combined in index order whether or not
-/// threads summed them, so both ways give the same bits.
+/// The kernel sums for one slab of directions. Chunks are combined in the order of their index, whether threads summed
+/// them or not, so the bits are the same either way.
 template <class T>
 void sum_faces(const FlatFaces<T>& faces, FlatKernel<T> kernel, std::span<const Slope<T>> slopes,
                std::span<TwoSum> sums, Schedule schedule) {
@@ -63,8 +63,8 @@ void sum_faces(const FlatFaces<T>& faces, FlatKernel<T> kernel, std::span<const 
   }
 }
 
-/// sums[k] of a slab: from slopes to results. `finish(u, scale, sums)` turns kernel sums into a
-/// result.
+/// Results for one slab of directions: makes the slopes, sums, and calls `finish(u, scale, sums)` to turn kernel sums
+/// into a result.
 template <class T, class Result, class Finish>
 void evaluate_slab(const FlatFaces<T>& faces, const FlatKernels& kernels, FlatQuantity quantity,
                    std::span<const Vector3> u, std::span<Result> results, const Finish& finish, Schedule schedule) {
@@ -81,8 +81,8 @@ void evaluate_slab(const FlatFaces<T>& faces, const FlatKernels& kernels, FlatQu
   for (std::size_t k = 0; k < u.size(); ++k) results[k] = finish(u[k], scale[k], &sums[width * k]);
 }
 
-/// All directions: serially if there is little to do, else by threads that share directions, and faces if there is more
-/// than a chunk of them.
+/// Does all directions: serially if there is little to do, otherwise with threads that share the directions and, if
+/// there is more than one chunk, the vectors.
 template <class T, class Result, class Finish>
 void evaluate_all(const FlatFaces<T>& faces, const FlatKernels& kernels, FlatQuantity quantity,
                   std::span<const Vector3> u, std::span<Result> results, const Finish& finish) {
@@ -166,11 +166,10 @@ void FlatSum::cuts(std::span<const Vector3> u, std::span<Vector3> g) const {
 }
 
 double FlatSum::relative_error_bound(Precision precision) {
-  // In units of roundoff, for the least number of lanes, one: the kBlock terms of a block, the
-  // kChunk / kBlock blocks of a chunk, and 8 for a projection (slopes, multiply-adds, fused or not,
-  // conversion of the components). Up to sixteen lanes and a chunk's sum are added in double
-  // precision or before that in four steps. Chunks are compensated. Both the negative side, which
-  // counts twice, and the total err by that.
+  // In units of roundoff, for the least number of lanes, one: the kBlock terms of a block, the kChunk / kBlock blocks
+  // of a chunk, and 8 for a projection (slopes, multiply-adds, fused or not, conversion of the components). Up to
+  // sixteen lanes, and the sums of chunks, are added in double precision, or before that in four steps. Chunks are
+  // combined with compensation. Both the negative part, which counts twice, and the total have this error.
   const auto error = [](std::size_t block, double roundoff) {
     return 3 * (static_cast<double>(block + kChunk / block + 8 + 4) * roundoff + 2 * 0x1p-53);
   };

@@ -1,5 +1,5 @@
-// The vector loops of the flat sum, compiled once for each instruction set.
-// foreach_target.h includes this file again for every instruction set and has to come first.
+// The vector loops of the flat sum, compiled once for each instruction set. foreach_target.h includes this file again
+// for each instruction set and has to come first.
 // clang-format off
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sums/flat_sum_kernels.cpp"
@@ -18,9 +18,9 @@ HWY_BEFORE_NAMESPACE();
 namespace rectilin::HWY_NAMESPACE {
 namespace {
 
-// Directions that share one pass over a block. Each takes two registers for its slopes and one per
-// output for its sums; three more hold a face vector and one the projection. More directions would
-// spill, fewer would leave too few independent additions to cover their latency.
+// Number of directions that share one pass over a block. Each takes two registers for its slopes and one for each
+// output of its sums; three more hold an area vector and one the projection. More directions would not fit into the
+// registers, fewer would leave too few independent additions to hide their latency.
 #if HWY_TARGET <= HWY_AVX3 || HWY_ARCH_ARM
 constexpr int kRegisters = 32;
 #else
@@ -29,26 +29,25 @@ constexpr int kRegisters = 16;
 template <class Sum>
 constexpr int kTogether = (Sum::kOutputs == 1 ? 8 : 4) * kRegisters / 32;
 
-// A rotation alone waits for memory. Requesting each array this many bytes ahead keeps more of it
-// under way than the processor's own prefetching, which ends at every page (Zen 5: 1024 and 4096
-// are worse).
+// A single rotation waits for memory. Requesting each array this many bytes ahead keeps more of it under way than the
+// processor's own prefetching, which ends at every page (measured on Zen 5; 1024 and 4096 are worse).
 constexpr int kFew = 3;
 constexpr std::size_t kBytesAhead = 2048;
 
 template <class T>
-HWY_INLINE void prefetch_ahead(const FaceSpan<T>& faces, std::size_t i) {
+HWY_INLINE void prefetch_ahead(const VectorSpan<T>& faces, std::size_t i) {
   i += kBytesAhead / sizeof(T);
   hwy::Prefetch(faces.x + i);
   hwy::Prefetch(faces.y + i);
   hwy::Prefetch(faces.z + i);
 }
 
-// Lanes of the sums of one direction, which stay in memory from block to block.
+// The sums of one direction, lane by lane; they stay in memory from block to block.
 template <class D, class Sum>
 constexpr std::size_t kLanes = Sum::kOutputs* hn::MaxLanes(D());
 
 template <class D, class Sum, int kCount, class T>
-HWY_NOINLINE void add_group(const FaceSpan<T>& faces, const Slope<T>* slopes, T* lanes) {
+HWY_NOINLINE void add_group(const VectorSpan<T>& faces, const Slope<T>* slopes, T* lanes) {
   const D d;
   hn::Vec<D> a[kCount], b[kCount];
   Sum sum[kCount];
@@ -57,7 +56,7 @@ HWY_NOINLINE void add_group(const FaceSpan<T>& faces, const Slope<T>* slopes, T*
     b[k] = hn::Set(d, slopes[k].b);
   }
   std::size_t i = 0;
-  do {  // there is at least one, and that the compiler should know: it keeps the sums in registers
+  do {  // do, not while: knowing that there is at least one, the compiler keeps the sums in registers
     if (kCount <= kFew) prefetch_ahead(faces, i);
     const auto x = hn::LoadU(d, faces.x + i);
     const auto y = hn::LoadU(d, faces.y + i);
@@ -68,9 +67,9 @@ HWY_NOINLINE void add_group(const FaceSpan<T>& faces, const Slope<T>* slopes, T*
   for (int k = 0; k < kCount; ++k) sum[k].add_to_lanes(lanes + k * kLanes<D, Sum>);
 }
 
-// The last, smaller group, found by counting down from the largest possible.
+// Does the last, smaller group, whose size is found by counting down from the largest possible.
 template <class D, class Sum, int kCount, class T>
-HWY_INLINE void add_rest(const FaceSpan<T>& faces, const Slope<T>* slopes, std::size_t directions, T* lanes) {
+HWY_INLINE void add_rest(const VectorSpan<T>& faces, const Slope<T>* slopes, std::size_t directions, T* lanes) {
   if constexpr (kCount > 0) {
     if (directions == kCount) {
       add_group<D, Sum, kCount>(faces, slopes, lanes);
@@ -81,7 +80,7 @@ HWY_INLINE void add_rest(const FaceSpan<T>& faces, const Slope<T>* slopes, std::
 }
 
 template <class D, class Sum, class T>
-void add_block(const FaceSpan<T>& faces, const Slope<T>* slopes, std::size_t directions, T* lanes) {
+void add_block(const VectorSpan<T>& faces, const Slope<T>* slopes, std::size_t directions, T* lanes) {
   constexpr std::size_t kGroup = kTogether<Sum>;
   std::size_t k = 0;
   for (; k + kGroup <= directions; k += kGroup)
@@ -90,7 +89,7 @@ void add_block(const FaceSpan<T>& faces, const Slope<T>* slopes, std::size_t dir
 }
 
 template <class T, template <class> class DSum>
-void kernel(const FaceSpan<T>& faces, const FaceSpan<T>& tail, const Slope<T>* slopes, std::size_t directions,
+void kernel(const VectorSpan<T>& faces, const VectorSpan<T>& tail, const Slope<T>* slopes, std::size_t directions,
             double* sums) {
   using D = hn::ScalableTag<T>;
   using Sum = DSum<D>;

@@ -1,4 +1,4 @@
-// What the driver of the flat sum (flat_sum.cpp) asks of its vector loops (flat_sum_kernels.cpp).
+// The interface between the driver of the flat sum (flat_sum.cpp) and its vector loops (flat_sum_kernels.cpp).
 #pragma once
 
 #include <cstddef>
@@ -7,40 +7,38 @@
 
 namespace rectilin {
 
-/// Vectors as a structure of arrays, not owned.
+/// Area vectors as a structure of arrays that somebody else owns.
 template <class T>
-struct FaceSpan {
+struct VectorSpan {
   const T *x, *y, *z;
   std::size_t size;
 
-  FaceSpan slice(std::size_t begin, std::size_t end) const { return {x + begin, y + begin, z + begin, end - begin}; }
+  VectorSpan slice(std::size_t begin, std::size_t end) const { return {x + begin, y + begin, z + begin, end - begin}; }
 };
 
-/// Sizes are multiples of this many vectors: one cache line, the widest register of any instruction
-/// set.
+/// Sizes are multiples of this many vectors: one cache line, which is the widest register of any instruction set.
 template <class T>
 inline constexpr std::size_t kLane = 64 / sizeof(T);
 
-/// Vectors whose sum is formed in vector registers. Three arrays of this length take 24 KB: all
-/// directions read them again and again from the first-level cache.
+/// Number of vectors summed in registers at a time. Three arrays of this length take 24 KB, so that they stay in the
+/// first-level cache while all directions read them again and again.
 template <class T>
 inline constexpr std::size_t kBlock = 8192 / sizeof(T);
 
-/// Vectors that one kernel call sums at most; also a task's share when faces are split over
-/// threads.
+/// Largest number of vectors in one kernel call; also the share of a task when threads share the vectors.
 inline constexpr std::size_t kChunk = 32768;
 
-/// Directions of one kernel call at most; their slopes and sums live on the stack. A population of
-/// fifty rotations fits.
+/// Largest number of directions in one kernel call; their slopes and sums are on the stack. A population of fifty
+/// rotations fits.
 inline constexpr std::size_t kSlab = 192;
 
-/// For every direction k, adds kOutputs sums over `faces` and `tail` to sums[kOutputs k], ...
-/// `tail` is either empty or the padded end of the faces. Sums are in units of the slope's scale.
+/// For every direction k: adds kOutputs sums over `faces` and `tail` to sums[kOutputs k], ... `tail` is either empty or
+/// the padded end of the vectors. Sums are in units of the slope's scale.
 template <class T>
-using FlatKernel = void (*)(const FaceSpan<T>& faces, const FaceSpan<T>& tail, const Slope<T>* slopes,
+using FlatKernel = void (*)(const VectorSpan<T>& faces, const VectorSpan<T>& tail, const Slope<T>* slopes,
                             std::size_t directions, double* sums);
 
-/// The three sums there are; s is a x + b y + z (see flat_slope.h for their use).
+/// The three kinds of sums, where s is a x + b y + z (slope.h says how they are used).
 enum FlatQuantity : int {
   kNegativePart,  ///< min(s, 0): one output
   kNegativeSum,   ///< v where s < 0: three outputs
@@ -49,22 +47,22 @@ enum FlatQuantity : int {
 
 constexpr std::size_t outputs(FlatQuantity quantity) { return quantity == kNegativePart ? 1 : 3; }
 
-/// One instruction set's kernels, indexed by FlatQuantity.
+/// The kernels of one instruction set, indexed by FlatQuantity.
 struct FlatKernels {
-  FlatKernel<float> single[3];
-  FlatKernel<double> twofold[3];
+  FlatKernel<float> f32[3];
+  FlatKernel<double> f64[3];
 
   template <class T>
   FlatKernel<T> get(FlatQuantity quantity) const {
     if constexpr (sizeof(T) == sizeof(float)) {
-      return single[quantity];
+      return f32[quantity];
     } else {
-      return twofold[quantity];
+      return f64[quantity];
     }
   }
 };
 
-/// Kernels of the best instruction set that is present and not ruled out by ScopedInstructionSet.
+/// The kernels of the best instruction set of the processor that ScopedInstructionSet allows.
 const FlatKernels& flat_kernels();
 
 }  // namespace rectilin

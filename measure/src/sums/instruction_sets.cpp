@@ -1,4 +1,4 @@
-// Which instruction sets there are, and how to choose one.
+// Lists the instruction sets, and restricts the library to one of them.
 #include <stdexcept>
 
 #include "hwy/highway.h"

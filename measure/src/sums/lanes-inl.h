@@ -1,5 +1,5 @@
-// Running sums held in vector registers, shared by the flat sum and the normal tree.
-// Compiled once per instruction set, hence Highway's toggling include guard.
+// Running sums in vector registers, which the flat sum and the direction tree share. Compiled once for each instruction
+// set, hence Highway's special include guard.
 #if defined(RECTILIN_FLAT_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef RECTILIN_FLAT_LANES_INL_H
 #undef RECTILIN_FLAT_LANES_INL_H
@@ -19,8 +19,8 @@ HWY_INLINE double lane_sum(D d, hn::Vec<D> v) {
   return static_cast<double>(hn::GetLane(hn::SumOfLanes(d, v)));
 }
 
-/// sum + v in the lanes of `mask`: one instruction where there are mask registers (AVX-512), and
-/// otherwise one more than the addition.
+/// sum + v in the lanes of `mask`: a single instruction where there are mask registers (AVX-512), otherwise one more
+/// than the addition.
 template <class D>
 HWY_INLINE hn::Vec<D> add_if(D, hn::Mask<D> mask, hn::Vec<D> sum, hn::Vec<D> v) {
 #if HWY_TARGET <= HWY_AVX3
@@ -30,14 +30,13 @@ HWY_INLINE hn::Vec<D> add_if(D, hn::Mask<D> mask, hn::Vec<D> sum, hn::Vec<D> v) 
 #endif
 }
 
-/// Adds to a sum kept in memory, lane by lane.
+/// Adds to a sum that is kept in memory, lane by lane.
 template <class D>
 HWY_INLINE void add_lanes(D d, hn::Vec<D> v, hn::TFromD<D>* lanes) {
   hn::Store(hn::Add(hn::Load(d, lanes), v), d, lanes);
 }
 
-// The sums have named members: compilers keep these in registers where they would not keep an
-// array.
+// The sums are named members: compilers keep these in registers, but often not the elements of an array.
 
 /// sum min(s, 0)
 template <class D>
@@ -46,7 +45,8 @@ struct NegativePart {
   static constexpr int kOutputs = 1;
   V sum;
 
-  HWY_INLINE NegativePart() : sum(hn::Zero(D())) {}  // written out: an implicit one has no target
+  HWY_INLINE NegativePart()
+      : sum(hn::Zero(D())) {}  // written out: an implicit constructor would not get the instruction set
   HWY_INLINE void add(V, V, V, V s) { sum = hn::Add(sum, hn::Min(s, hn::Zero(D()))); }
   HWY_INLINE void add_to(double* out) const { out[0] += lane_sum(D(), sum); }
   HWY_INLINE void add_to_lanes(hn::TFromD<D>* lanes) const { add_lanes(D(), sum, lanes); }

@@ -1,4 +1,4 @@
-// A direction in the form in which the inner loops use it.
+// A direction in the form that the inner loops use.
 #pragma once
 
 #include <algorithm>
@@ -10,11 +10,13 @@ namespace rectilin {
 
 /// u . v = scale (a x + b y + z) with a = u_x / u_z, b = u_y / u_z and scale = u_z.
 ///
-/// Dividing by u_z once per direction saves a multiplication per face: two multiply-adds are left
-/// where u . v takes a multiplication and two multiply-adds. Multiplications can use only half of
-/// the floating-point ports of current x86 cores, so they are what the loop waits for.
+/// Dividing by u_z once for each direction saves a multiplication for each vector: two multiply-adds are left, where u
+/// . v takes a multiplication and two multiply-adds. Only half of the floating-point ports of current x86 cores can
+/// multiply, so multiplications are what the loop waits for.
 ///
-/// The rounding error of scale (a x + b y + z) is a few units in the last place of
+/// The rounding error of scale (a x + b y + z) is a few units in the last place of |u_x x| + |u_y y| + |u_z z| <= |u|
+/// |v|, however steep the slopes, as it is for u . v itself. Where u_z is (nearly) zero it is moved away from zero by
+/// kTiny max |u_k|, which is far below that error.
 /// |u_x x| + |u_y y| + |u_z z| <= |u| |v| however steep the slopes, as for u . v itself. Where u_z
 /// is (nearly) zero it is moved away from zero by kTiny max |u_k|, which is far below that error.
 template <class T>
@@ -23,7 +25,8 @@ struct Slope {
 };
 
 template <class T>
-inline constexpr double kTiny = 0x1p-300;  // slopes, hence sums, stay far below overflow
+inline constexpr double kTiny =
+    0x1p-300;  // small enough not to matter, large enough that slopes and sums do not overflow
 template <>
 inline constexpr double kTiny<float> = 0x1p-40;
 
@@ -40,13 +43,12 @@ Slope<T> slope(const Vector3& u, double scale) {
   return {static_cast<T>(u.x() / scale), static_cast<T>(u.y() / scale)};
 }
 
-// The loops sum one side of the great circle only, the faces with a x + b y + z < 0; the total T of
-// all v_i supplies the other: h(u) = u . T - 2 sum min(u . v_i, 0), and g(u) = T - 2 sum {v_i : u .
-// v_i < 0}, for u_z > 0; -u stands for u where u_z < 0. Unlike an absolute value, a minimum runs on
-// the ports of the additions and leaves those of the multiply-adds alone (Zen), and a cut needs no
-// sign flips.
+// The loops sum only one side of the great circle, the vectors with a x + b y + z < 0. The total T of all v_i supplies
+// the other side: for u_z > 0, h(u) = u . T - 2 sum min(u . v_i, 0) and g(u) = T - 2 sum {v_i : u . v_i < 0}; where u_z
+// < 0, -u takes the place of u. Unlike an absolute value, a minimum runs on the ports of the additions and leaves those
+// of the multiply-adds alone (Zen), and a cut needs no changes of sign.
 
-/// h(u) from `part` = sum min(a x + b y + z, 0). Zero at least, whatever the rounding.
+/// h(u) from `part` = sum min(a x + b y + z, 0). Never below zero, whatever the rounding.
 inline double value_from_negative(const Vector3& total, const Vector3& u, double scale, double part) {
   return std::max(0.0, std::copysign(1.0, scale) * total.dot(u) - 2 * std::abs(scale) * part);
 }

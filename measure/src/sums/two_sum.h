@@ -5,8 +5,8 @@
 
 namespace rectilin {
 
-/// A running sum whose rounding error is that of its final result, up to second order in the number
-/// of terms. Left uninitialised so that arrays of it cost nothing until used.
+/// A running sum whose error is only that of rounding the final result, up to second order in the number of terms. It
+/// is left uninitialised, so that arrays of it cost nothing until they are used.
 struct TwoSum {
   double sum, error;
 

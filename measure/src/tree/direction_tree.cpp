@@ -13,11 +13,11 @@
 namespace rectilin {
 namespace {
 
-// Nodes that a task visits at least, estimated as the square root of the number of vectors for each
-// direction: some 20 microseconds.
+// Least number of nodes for a task to visit, estimated as the square root of the number of vectors for each direction:
+// some 20 microseconds of work.
 constexpr double kTaskVisits = 8192;
 
-// Directions of one pass, on the stack.
+// Number of directions in one pass, on the stack.
 constexpr std::size_t kQueriesPerPass = 1024;
 
 }  // namespace
@@ -40,12 +40,12 @@ void DirectionTree::evaluate(std::span<const Vector3> u, std::span<Result> resul
         const double scale = slope_scale<double>(w);
         const Slope<double> s = slope<double>(w, scale);
         const double reach = std::sqrt(1 + s.a * s.a + s.b * s.b);
-        done[k] = walk(w, scale, NormalQuery{s, reach, sine * sine}, results[pass + k]);
+        done[k] = walk(w, scale, DirectionQuery{s, reach, sine * sine}, results[pass + k]);
       }
     };
     all.is_divisible() ? tbb::parallel_for(all, some) : some(all);
 
-    // What is left to the flat sum goes there in one batch.
+    // The directions that are left to the flat sum go there in one batch.
     std::size_t count = 0;
     for (std::size_t k = 0; k < all.end(); ++k)
       if (!done[k]) left[count++] = u[pass + k];
@@ -59,7 +59,7 @@ void DirectionTree::evaluate(std::span<const Vector3> u, std::span<Result> resul
 void DirectionTree::values(std::span<const Vector3> u, std::span<double> h, double resolution) const {
   evaluate(
       u, h, resolution,
-      [this](const Vector3& w, double scale, const NormalQuery& query, double& value) {
+      [this](const Vector3& w, double scale, const DirectionQuery& query, double& value) {
         TwoSum part{};
         const bool done = kernels_->values(*nodes_, query, &part);
         if (done) value = value_from_negative(total_, w, scale, part.value());
@@ -71,7 +71,7 @@ void DirectionTree::values(std::span<const Vector3> u, std::span<double> h, doub
 void DirectionTree::cuts(std::span<const Vector3> u, std::span<Vector3> g, double resolution) const {
   evaluate(
       u, g, resolution,
-      [this](const Vector3&, double scale, const NormalQuery& query, Vector3& cut) {
+      [this](const Vector3&, double scale, const DirectionQuery& query, Vector3& cut) {
         TwoSum sum[3] = {};
         const bool done = kernels_->cuts(*nodes_, query, sum);
         if (done) cut = cut_from_negative(total_, scale, {sum[0].value(), sum[1].value(), sum[2].value()});
@@ -81,9 +81,8 @@ void DirectionTree::cuts(std::span<const Vector3> u, std::span<Vector3> g, doubl
 }
 
 bool DirectionTree::worthwhile(std::size_t vectors) {
-  // Measured (papers/throughput.md): from here on the tree is twice as fast as the flat sum on
-  // smooth meshes and takes at most 1.15 times as long for a direction across which all vectors
-  // lie.
+  // Measured (papers/throughput.md): from here on the tree is twice as fast as the flat sum on smooth meshes, and takes
+  // at most 1.15 times as long for a direction that is orthogonal to all vectors.
   return vectors >= 30000;
 }
 

@@ -1,4 +1,4 @@
-// Builds a direction tree bottom up.
+// Builds a direction tree from the leaves upwards.
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -15,24 +15,25 @@
 namespace rectilin {
 namespace {
 
-// Rounding of a cap's sine, that of its vectors included, generously. What it does not cover would
-// be harmless too: a vector misjudged by rounding lies within rounding of the great circle, so that
-// its u . v is itself of the size of a rounding error.
+// Generous allowance for the rounding of a cap's sine, and of the vectors in it. A larger error would be harmless, too:
+// a vector that is misjudged because of rounding lies so close to the great circle that its u . v is itself no larger
+// than a rounding error.
 constexpr double kSlack = 0x1p-36;
 
-// Tasks work on nodes that cover this many leaves or a single one.
+// A task works on nodes that cover this many leaves, or on a single larger node.
 constexpr std::size_t kTaskLeaves = 2048;
 
-// The share of a level's nodes beyond which a query gives up. Opening a node takes the time in
-// which the flat sum adds 50 to 100 vectors; so an eighth of the leaves costs about what the flat
-// sum costs. The few nodes of the upper levels promise less about the leaves and cost next to
-// nothing: as many as a 512th of the leaves, at least kFewest, are always opened.
+// A query gives up when it meets more than this share of a level's nodes (1 in 8). Opening a node takes as long as
+// adding 50 to 100 vectors in the flat sum, so an eighth of the leaves costs about as much as the flat sum. The few
+// nodes of the upper levels tell little about the leaves and cost next to nothing: a 512th of the number of leaves, and
+// at least kFewest, are always opened.
 constexpr std::size_t kLargestShare = 8;
 constexpr std::size_t kFreeShare = 512;
 constexpr std::size_t kFewest = 96;
 
-/// Fills all leaves and their sums. Runs are of fixed length, so that signs do not depend on the number of threads.
-std::vector<Vector3> fill_leaves(const AreaVectors& vectors, NormalLeaf* leaves, std::size_t count,
+/// Fills all leaves and returns their sums. Runs have a fixed length, so that signs do not depend on the number
+/// of threads.
+std::vector<Vector3> fill_leaves(const AreaVectors& vectors, DirectionLeaf* leaves, std::size_t count,
                                  std::uint64_t unit) {
   std::vector<Vector3> sums(count, Vector3::Zero());
   tbb::parallel_for(std::size_t{0}, ceil_div(count * kLeaf, kRun), [&](std::size_t part) {
@@ -50,10 +51,9 @@ std::vector<Vector3> fill_leaves(const AreaVectors& vectors, NormalLeaf* leaves,
   return sums;
 }
 
-/// The nodes of one level, over `stride` leaves each: their sums, and caps around all their
-/// vectors.
+/// Fills the nodes of one level, each over `stride` leaves: their sums, and the caps around all their vectors.
 void fill_level(const DirectionTreeKernels& kernels, const DirectionTreeNodes& nodes, std::size_t leaf_count,
-                const std::vector<Vector3>& sums, std::size_t stride, NormalFamily* level) {
+                const std::vector<Vector3>& sums, std::size_t stride, DirectionFamily* level) {
   const std::size_t grain = std::max<std::size_t>(1, kTaskLeaves / stride);
   const tbb::blocked_range<std::size_t> all(0, sums.size(), grain);
   tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& range) {
@@ -70,20 +70,20 @@ void fill_level(const DirectionTreeKernels& kernels, const DirectionTreeNodes& n
     pack_node(level[node / kFan], node % kFan, Vector3::Zero(), 0);
 }
 
-/// Sums of kFan each.
+/// The sums of the next level up, of kFan nodes each.
 std::vector<Vector3> parents(const std::vector<Vector3>& sums) {
   std::vector<Vector3> result(ceil_div(sums.size(), kFan), Vector3::Zero());
   for (std::size_t i = 0; i < sums.size(); ++i) result[i / kFan] += sums[i];
   return result;
 }
 
-/// Nodes over `stride` leaves each that a query may open.
+/// How many nodes over `stride` leaves each a query may open.
 std::size_t open_limit(std::size_t leaves, std::size_t stride) {
   const std::size_t share = ceil_div(leaves, stride * kLargestShare);
   return std::clamp(std::max(share, leaves / kFreeShare), kFewest, kMostOpened);
 }
 
-/// Numbers of families on all levels, from the leaves upwards.
+/// Number of families on each level, from the leaves upwards.
 std::vector<std::size_t> level_sizes(std::size_t leaves) {
   std::vector<std::size_t> families = {ceil_div(leaves, kFan)};
   while (families.back() > 1) families.push_back(ceil_div(families.back(), kFan));
@@ -95,11 +95,11 @@ std::vector<std::size_t> level_sizes(std::size_t leaves) {
 DirectionTree::DirectionTree(const AreaVectors& vectors) : flat_(vectors), kernels_(&normal_kernels()) {
   const std::size_t leaf_count = std::max<std::size_t>(1, ceil_div(size(), kLeaf));
   const std::vector<std::size_t> families = level_sizes(leaf_count);
-  bytes_ = leaf_count * sizeof(NormalLeaf);
-  for (const std::size_t count : families) bytes_ += count * sizeof(NormalFamily);
+  bytes_ = leaf_count * sizeof(DirectionLeaf);
+  for (const std::size_t count : families) bytes_ += count * sizeof(DirectionFamily);
   storage_ = allocate_nodes(bytes_);
-  auto* leaves = reinterpret_cast<NormalLeaf*>(storage_.get());
-  auto* level = reinterpret_cast<NormalFamily*>(leaves + leaf_count);
+  auto* leaves = reinterpret_cast<DirectionLeaf*>(storage_.get());
+  auto* level = reinterpret_cast<DirectionFamily*>(leaves + leaf_count);
 
   auto nodes = std::make_shared<DirectionTreeNodes>();
   nodes->leaves = leaves;

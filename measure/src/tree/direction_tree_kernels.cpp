@@ -1,5 +1,5 @@
-// The vector loops of the normal tree, compiled once for each instruction set.
-// foreach_target.h includes this file again for every instruction set and has to come first.
+// The vector loops of the direction tree, compiled once for each instruction set. foreach_target.h includes this file
+// again for each instruction set and has to come first.
 // clang-format off
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tree/direction_tree_kernels.cpp"
@@ -25,12 +25,11 @@ using V = hn::Vec<D>;
 using D64 = hn::RebindToUnsigned<D>;
 using D32 = hn::CappedTag<std::uint32_t, kFan>;
 
-// Nodes whose terms are summed in registers before they are added to the compensated sums: keeps
-// the number of terms per lane, hence the rounding, bounded.
+// Number of nodes whose terms are summed in registers before they go to the compensated sums. It bounds the number of
+// terms in a lane, and so the rounding error.
 constexpr std::size_t kChunkNodes = 256;
 
-// Nodes ahead of the current one whose memory is requested: on large trees most visits miss the
-// caches. 16 and 96 are slower (Zen 5).
+// How many nodes ahead memory is requested: on large trees most visits miss the caches. 16 and 96 are slower (Zen 5).
 constexpr std::size_t kAhead = 40;
 
 template <class V>
@@ -42,8 +41,8 @@ struct Vectors {
   V x, y, z;
 };
 
-/// Lanes `lane` and following of a component, in units of the leaf's.
-HWY_INLINE V load_component(const NormalLeaf& leaf, std::size_t c, std::size_t lane) {
+/// A component of the vectors `lane` and following of a leaf, in the leaf's unit.
+HWY_INLINE V load_component(const DirectionLeaf& leaf, std::size_t c, std::size_t lane) {
   const D d;
   const hn::Rebind<std::int32_t, D> d32;
   const hn::Rebind<std::uint8_t, D> d8;
@@ -52,7 +51,7 @@ HWY_INLINE V load_component(const NormalLeaf& leaf, std::size_t c, std::size_t l
   return hn::MulAdd(high, hn::Set(d, 256.0), low);
 }
 
-HWY_INLINE Vectors load_leaf(const NormalLeaf& leaf, std::size_t lane, hn::Vec<D64> unit) {
+HWY_INLINE Vectors load_leaf(const DirectionLeaf& leaf, std::size_t lane, hn::Vec<D64> unit) {
   const D d;
   const hn::Rebind<std::uint32_t, D> d32;
   const hn::Rebind<std::uint8_t, D> d8;
@@ -67,13 +66,13 @@ struct Nodes {
   V radius;
 };
 
-HWY_INLINE Nodes load_family(const NormalFamily& family, std::size_t lane) {
+HWY_INLINE Nodes load_family(const DirectionFamily& family, std::size_t lane) {
   const D d;
   const D64 d64;
   const auto x = hn::Load(d64, family.sums[0] + lane);
   const auto y = hn::Load(d64, family.sums[1] + lane);
   const auto z = hn::Load(d64, family.sums[2] + lane);
-  // The last byte of each is one of the radius's upper ones, below its sign.
+  // The last byte of each component holds a byte of the radius; here one of its upper ones, below its sign.
   const auto radius = hn::Or(hn::ShiftRight<1>(hn::ShiftLeft<56>(x)),
                              hn::Or(hn::ShiftRight<9>(hn::ShiftLeft<56>(y)), hn::ShiftRight<17>(hn::ShiftLeft<56>(z))));
   return {{hn::BitCast(d, x), hn::BitCast(d, y), hn::BitCast(d, z)}, hn::BitCast(d, radius)};
@@ -85,14 +84,14 @@ HWY_INLINE void prefetch(const Block& block) {
   for (std::size_t i = 0; i < sizeof(Block); i += 64) hwy::Prefetch(bytes + i);
 }
 
-/// The start of a list, to which nothing before it looks ahead.
+/// The start of a list, before which no prefetching looks ahead.
 template <class Block>
 HWY_INLINE void prefetch_first(const Block* blocks, const std::uint32_t* list, std::size_t size) {
   for (std::size_t i = 0; i < std::min(kAhead, size); ++i) prefetch(blocks[list[i]]);
 }
 
-/// Lists of nodes. The lane numbers are kept in memory: Highway's Iota writes them there one by one
-/// at each call, and reading them back at once would stall.
+/// Lists of nodes. The lane numbers are kept in memory: Highway's Iota would write them there one by one at each call,
+/// and reading them back at once would stall.
 class NodeList {
  public:
   HWY_INLINE explicit NodeList(std::uint32_t* nodes) : nodes_(nodes) {
@@ -121,12 +120,12 @@ class NodeList {
 template <class Sum, bool kCutOff>
 class Walk {
  public:
-  HWY_INLINE Walk(const DirectionTreeNodes& nodes, const NormalQuery& query, TwoSum* sums)
+  HWY_INLINE Walk(const DirectionTreeNodes& nodes, const DirectionQuery& query, TwoSum* sums)
       : nodes_(nodes), query_(query), sums_(sums) {}
 
-  /// Lists all nodes of a level to be opened before it visits the next level: the processor works
-  /// on many nodes at once and never waits for a branch, as it would at each node of a depth-first
-  /// walk, and too long a list is noticed before its nodes cost anything.
+  /// Lists all nodes of a level that are to be opened before it visits the next level. The processor then works on many
+  /// nodes at once and never waits for a branch, as it would at each node of a depth-first walk; and too long a list is
+  /// noticed before its nodes cost anything.
   HWY_INLINE bool run() {
     std::uint32_t lists[2][kMostOpened + kChunkNodes + kFan];
     lists[0][0] = 0;
@@ -141,8 +140,7 @@ class Walk {
   }
 
  private:
-  /// Sums the nodes that the circle misses, lists those that it meets; stops where these get too
-  /// many.
+  /// Sums the nodes that the circle misses and lists those that it meets; stops when these become too many.
   HWY_INLINE std::size_t test(int level, const std::uint32_t* families, std::size_t size, std::uint32_t* children) {
     NodeList found(children);
     prefetch_first(nodes_.levels[level], families, size);
@@ -155,7 +153,7 @@ class Walk {
     return found.size();
   }
 
-  HWY_INLINE void test_chunk(const NormalFamily* nodes, const std::uint32_t* families, std::size_t begin,
+  HWY_INLINE void test_chunk(const DirectionFamily* nodes, const std::uint32_t* families, std::size_t begin,
                              std::size_t end, std::size_t size, NodeList& found) {
     const D d;
     const auto a = hn::Set(d, query_.slope.a), b = hn::Set(d, query_.slope.b);
@@ -215,13 +213,13 @@ class Walk {
   }
 
   const DirectionTreeNodes& nodes_;
-  const NormalQuery query_;
+  const DirectionQuery query_;
   TwoSum* sums_;
   Sum sum_;
 };
 
 template <class Sum>
-bool kernel(const DirectionTreeNodes& nodes, const NormalQuery& query, TwoSum* sums) {
+bool kernel(const DirectionTreeNodes& nodes, const DirectionQuery& query, TwoSum* sums) {
   return query.resolution > 0 ? Walk<Sum, true>(nodes, query, sums).run() : Walk<Sum, false>(nodes, query, sums).run();
 }
 
@@ -229,7 +227,7 @@ double cap(const DirectionTreeNodes& nodes, std::size_t begin, std::size_t end, 
   const D d;
   const auto ax = hn::Set(d, axis[0]), ay = hn::Set(d, axis[1]), az = hn::Set(d, axis[2]);
   const auto zero = hn::Zero(d), infinity = hn::Set(d, std::numeric_limits<double>::infinity());
-  const auto shortest = hn::Set(d, 1e-280);  // of squared lengths that have not lost digits to underflow
+  const auto shortest = hn::Set(d, 1e-280);  // least squared length that has lost no digits to underflow
   auto largest = zero;
   const auto unit = hn::Set(D64(), nodes.unit);
   for (std::size_t leaf = begin; leaf < end; ++leaf) {

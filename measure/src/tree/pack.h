@@ -1,4 +1,4 @@
-// How a direction tree's numbers are written; the vector loops (direction_tree_kernels.cpp) read them.
+// Packs the numbers of a direction tree; the vector loops (direction_tree_kernels.cpp) read them.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace rectilin {
 
-/// Biased exponent of the unit in which a leaf holds a vector of this largest component: its
-/// integers then take 40 bits with their sign.
+/// The biased exponent of the unit for leaves whose largest component is `largest`: their integers then take 40 bits
+/// with the sign.
 inline std::uint64_t leaf_unit(double largest) {
   constexpr std::uint64_t kBits = 38;
   const std::uint64_t exponent = std::bit_cast<std::uint64_t>(largest) >> 52;
@@ -19,7 +19,7 @@ inline std::uint64_t leaf_unit(double largest) {
 }
 
 /// Writes `v` as vector j of a leaf; `unit` is that of the longest vector there may be.
-inline void pack_vector(NormalLeaf& leaf, std::size_t j, const Vector3& v, std::uint64_t unit) {
+inline void pack_vector(DirectionLeaf& leaf, std::size_t j, const Vector3& v, std::uint64_t unit) {
   const std::uint64_t below = unit - std::min(unit, leaf_unit(v.cwiseAbs().maxCoeff()));
   const std::uint64_t exponent = std::min<std::uint64_t>(below, 255);
   leaf.exponent[j] = static_cast<std::uint8_t>(exponent);
@@ -34,7 +34,7 @@ inline void pack_vector(NormalLeaf& leaf, std::size_t j, const Vector3& v, std::
 }
 
 /// Writes child j of a family: the sum of its vectors, and |sum| sin(radius of their cap).
-inline void pack_node(NormalFamily& family, std::size_t j, const Vector3& sum, double radius) {
+inline void pack_node(DirectionFamily& family, std::size_t j, const Vector3& sum, double radius) {
   const auto bits = std::bit_cast<std::uint64_t>(radius);
   constexpr int kDropped = 39;
   std::uint64_t kept = (bits + (std::uint64_t{1} << kDropped) - 1) >> kDropped;

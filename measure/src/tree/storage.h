@@ -12,9 +12,9 @@
 
 namespace rectilin {
 
-/// `wanted` bytes, uninitialised, aligned to two cache lines at least. A query of a large tree
-/// reads a few lines from each of thousands of places; on small pages nearly each of these would
-/// miss the translation lookaside buffer as well.
+/// Allocates `wanted` bytes, uninitialised, aligned to at least two cache lines. A query of a large tree reads a few
+/// lines in each of thousands of places; on small pages nearly each of these would also miss the translation
+/// lookaside buffer.
 inline std::shared_ptr<std::byte[]> allocate_nodes(std::size_t wanted) {
   constexpr std::size_t kPage = std::size_t{1} << 21;
   constexpr std::size_t kLines = 128;

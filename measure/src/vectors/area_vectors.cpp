@@ -16,8 +16,8 @@
 namespace rectilin {
 namespace {
 
-/// Sum of a run of parallel vectors on one side, compensated (Kahan 1965), so that millions of coplanar faces
-/// keep double's digits.
+/// The compensated sum (Kahan 1965) of a run of parallel vectors, turned to one side, so that millions of coplanar
+/// faces keep all digits of double precision.
 class ParallelSum {
  public:
   explicit ParallelSum(const Vector3& first) : sum_(first), squared_(first.squaredNorm()) {}
@@ -40,7 +40,7 @@ class ParallelSum {
   double squared_;
 };
 
-/// The largest extent of a triangle along an axis: rounded up to a power of two, the unit of length.
+/// The exponent of the unit of length: the largest extent of a triangle along an axis, rounded up to a power of two.
 int length_exponent(const MeshView& mesh) {
   double largest = 0;
   for (const Triangle& t : mesh.triangles) {
@@ -53,8 +53,8 @@ int length_exponent(const MeshView& mesh) {
   return exponent;
 }
 
-/// Makes neighbours along the curve neighbours in the plane. Runs are of fixed length, so that the order does not
-/// depend on the number of threads.
+/// Reorders runs of vectors that are neighbours along the curve so that neighbours in the plane stand together. Runs
+/// have a fixed length, so that the order does not depend on the number of threads.
 void arrange_runs(AreaVectors& vectors) {
   tbb::parallel_for(std::size_t{0}, ceil_div(vectors.size(), kRun), [&](std::size_t part) {
     const std::size_t begin = part * kRun, end = std::min(begin + kRun, vectors.size());
@@ -66,8 +66,8 @@ void arrange_runs(AreaVectors& vectors) {
   });
 }
 
-/// Scales vectors that are all short up to about 1, so that products of their squares do not underflow; returns the
-/// exponent that undoes it.
+/// Scales vectors that are all short to lengths of about 1, so that products of their squares do not underflow; returns
+/// the exponent that undoes this.
 int lengthen(std::vector<Vector3>& vectors) {
   constexpr double kShort = 0x1p-64;
   double largest = 0;
@@ -89,7 +89,7 @@ AreaVectors area_vectors(std::vector<Vector3> vectors) {
   result.faces = order.size();
   for (AlignedDoubles* component : {&result.x, &result.y, &result.z}) component->reserve(order.size());
   const auto sorted = [&](std::size_t i) -> const Vector3& {
-    constexpr std::size_t kAhead = 32;  // the order jumps through memory
+    constexpr std::size_t kAhead = 32;  // prefetching, because the order jumps through memory
     __builtin_prefetch(&vectors[order[std::min(i + kAhead, order.size() - 1)]]);
     return vectors[order[i]];
   };
@@ -110,7 +110,7 @@ AreaVectors area_vectors(std::vector<Vector3> vectors) {
 
 AreaVectors area_vectors(const MeshView& mesh) {
   const int exponent = length_exponent(mesh);
-  const double scale = std::ldexp(1.0, -exponent / 2);  // twice applied, or 2^-exponent might overflow
+  const double scale = std::ldexp(1.0, -exponent / 2);  // half the exponent, applied twice: 2^-exponent might overflow
   const double rest = std::ldexp(1.0, -exponent - (-exponent / 2));
 
   std::vector<Vector3> vectors(mesh.triangles.size());
@@ -123,7 +123,7 @@ AreaVectors area_vectors(const MeshView& mesh) {
       vectors[i] = 0.5 * a.cross(b);  // eqs. (5)-(7)
     }
   });
-  for (const Vector3& v : vectors)  // what follows compares and casts
+  for (const Vector3& v : vectors)  // what follows compares and converts them
     if (!v.allFinite()) throw MeshError("a vertex is not finite");
   AreaVectors result = area_vectors(std::move(vectors));
   result.exponent += 2 * exponent;

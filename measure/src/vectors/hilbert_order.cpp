@@ -12,15 +12,15 @@
 namespace rectilin {
 namespace {
 
-constexpr int kBits = 16;  // of each coordinate of a cell
+constexpr int kBits = 16;  // bits of each coordinate of a cell
 
-/// A fixed turn without meaning but for this: walls between cells, and the hemisphere's rim, must not pass
-/// through directions that meshes are full of, such as the coordinate axes, or rounding would put equal
-/// normals on both sides of a wall.
+/// An arbitrary fixed rotation. Borders between cells, and the rim of the hemisphere, must not pass through
+/// directions that are common in meshes, such as the coordinate axes, or rounding would put equal normals on both
+/// sides of a border.
 Eigen::Matrix3d arbitrary_turn() { return Eigen::Quaterniond(0.61, 0.37, -0.53, 0.29).normalized().toRotationMatrix(); }
 
-/// Four levels of the Hilbert curve (Hilbert 1891) at once: the place of a sub-cell among 256, and how the
-/// curve lies in it. Bit 0 of an orientation: mirrored in both coordinates; bit 1: coordinates swapped.
+/// Four levels of the Hilbert curve (Hilbert 1891) at once: the position of a sub-cell among 256, and the orientation
+/// of the curve in it. Bit 0 of an orientation: mirrored in both coordinates; bit 1: coordinates swapped.
 struct HilbertStep {
   std::uint8_t place, orientation;
 };
@@ -32,7 +32,7 @@ constexpr HilbertStep hilbert_step(unsigned orientation, unsigned x, unsigned y)
     unsigned right = (x >> bit & 1) ^ mirror, up = (y >> bit & 1) ^ mirror;
     if (orientation & 2) std::swap(right, up);
     place = place << 2 | ((3 * right) ^ up);
-    if (!up) orientation ^= right ? 3 : 2;  // the lower quadrants hold the curve turned
+    if (!up) orientation ^= right ? 3 : 2;  // in the lower quadrants the curve is turned
   }
   return {static_cast<std::uint8_t>(place), static_cast<std::uint8_t>(orientation)};
 }
@@ -63,7 +63,8 @@ std::uint32_t cell_of(const Vector3& turned) {
   return hilbert_place(quantised(turned.x() + turned.y()), quantised(turned.x() - turned.y()));
 }
 
-/// Sorts by the high half; stable. Least significant digit first: several times faster than comparing.
+/// A stable sort by the high half of each item. Radix sort, least significant digit first: several times faster
+/// than comparing.
 void radix_sort_by_high_half(std::vector<std::uint64_t>& items) {
   constexpr int kDigit = 11, kPasses = 3;
   constexpr std::size_t kBuckets = std::size_t{1} << kDigit;

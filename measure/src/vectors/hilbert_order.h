@@ -1,4 +1,4 @@
-// Puts area vectors in an order in which neighbours have neighbouring directions.
+// Sorts area vectors so that neighbours have similar directions.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace rectilin {
 
-/// Turns each vector to the side of a fixed hemisphere (v and -v are one to the measure), and returns the
-/// indices of the nonzero ones along a Hilbert curve over that hemisphere. Vectors that share one of its
-/// 2^32 cells are in order of exact direction, so that parallel ones are neighbours. O(N log N) at worst,
-/// O(N) where directions spread. The same for any number of threads.
+/// Turns each vector to the same side of a fixed plane (v and -v are the same to the measure), and returns the indices
+/// of the nonzero ones along a Hilbert curve over that hemisphere. Vectors in the same one of its 2^32 cells are sorted
+/// by their exact direction, so that parallel ones are neighbours. O(N log N) at worst, O(N) if the directions are
+/// spread out. The result is the same for any number of threads.
 std::vector<std::uint32_t> order_by_direction(std::vector<Vector3>& vectors);
 
 }  // namespace rectilin

@@ -18,9 +18,8 @@ namespace {
 
 using Places = std::vector<std::uint16_t>;
 
-/// The stereographic projection of the run's directions, up to sign, about their mean: small
-/// squares stay squares, and the hemisphere fits a disc. Both coordinates in one unit, from 0 to
-/// 65535.
+/// The stereographic projection of the run's directions, up to sign, about their mean: small squares stay squares, and
+/// the hemisphere becomes a disc. Both coordinates have the same unit and run from 0 to 65535.
 std::array<Places, 2> plane_coordinates(const std::vector<Vector3>& run) {
   Vector3 sum = Vector3::Zero();
   for (const Vector3& v : run) sum += v;
@@ -49,7 +48,7 @@ std::array<Places, 2> plane_coordinates(const std::vector<Vector3>& run) {
   return coordinates;
 }
 
-/// The places in ascending order of their keys; stable.
+/// The places sorted by their keys, ascending; stable.
 Places sorted_places(const Places& keys) {
   Places order(keys.size()), next(keys.size());
   std::iota(order.begin(), order.end(), std::uint16_t{0});
@@ -63,7 +62,7 @@ Places sorted_places(const Places& keys) {
   return order;
 }
 
-/// Sorts once for each coordinate; halving then keeps both lists sorted.
+/// Sorts once by each coordinate; halving then keeps both lists sorted.
 class Halving {
  public:
   explicit Halving(std::array<Places, 2> coordinates)
@@ -84,7 +83,7 @@ class Halving {
     const int wide = extent(0, begin, end) < extent(1, begin, end) ? 1 : 0;
     for (std::size_t i = begin; i < end; ++i) first_half_[sorted_[wide][i]] = i < middle;
 
-    // The other list's places go to their halves without a branch, as nobody can predict it.
+    // The places of the other list are divided into halves without a branch, because no processor could predict it.
     Places& other = sorted_[1 - wide];
     std::size_t first = begin, second = 0;
     for (std::size_t i = begin; i < end; ++i) {
@@ -103,8 +102,8 @@ class Halving {
   }
 
   std::array<Places, 2> coordinates_;
-  std::array<Places, 2> sorted_;          // places by either coordinate; each half of both the same
-  std::vector<std::uint8_t> first_half_;  // by place
+  std::array<Places, 2> sorted_;  // the places, sorted by each coordinate; the halves of both hold the same places
+  std::vector<std::uint8_t> first_half_;  // for each place: is it in the first half?
   Places second_;
 };
 

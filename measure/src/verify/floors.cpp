@@ -8,14 +8,14 @@ namespace rectilin::verification {
 namespace {
 
 constexpr std::size_t kMostTriangles = 6'000'000;
-constexpr int kFirst = 2, kDeepest = 26;  // levels of the subdivision: edges of 0.4 radians, of 2e-8
-constexpr int kListed = 5;                // triangles keep their lists down to this one
-constexpr double kAllowance = 1e-12;      // of a cut's value: a few roundoffs, as sums are in extended precision
-constexpr double kAside = 1e-12;          // of a sweep's sides and products of unit vectors: a few roundoffs
+constexpr int kFirst = 2, kDeepest = 26;  // levels of the subdivision, with edges of 0.4 and of 2e-8 radians
+constexpr int kListed = 5;                // triangles down to this level keep their lists
+constexpr double kAllowance = 1e-12;      // for a cut's value: a few roundoffs, since sums are in extended precision
+constexpr double kAside = 1e-12;          // for the sides of a sweep and products of unit vectors: a few roundoffs
 
 }  // namespace
 
-/// Great circles round what axis k sweeps: r_k . normal <= reach, eight of them, all of positive reach.
+/// Eight great circles around what axis k sweeps: r_k . normal <= reach, with positive reach for all.
 struct Floors::Sweep {
   std::array<Vector, 8> normals;
   std::array<double, 8> reach;
@@ -46,8 +46,8 @@ struct Floors::Sweep {
     return least_on(g, part);
   }
 
-  /// A unit vector of the triangle is sum a_j p_j with a_j >= 0 that add up to at least 1. So if all p_j are beyond a
-  /// side, it is.
+  /// A unit vector of the triangle is sum a_j p_j with a_j >= 0 that add up to at least 1. So if all corners p_j are
+  /// beyond a side, it is beyond that side, too.
   bool misses(const std::array<Vector, 3>& p, double mirror) const {
     for (int i = 0; i < 8; ++i)
       if (mirror * normals[i].dot(p[0]) > reach[i] && mirror * normals[i].dot(p[1]) > reach[i] &&
@@ -81,7 +81,8 @@ Floors::Answer Floors::check(const std::array<double, 3>& floors, const Part& pa
   return lower == Answer::kHolds ? check(floors, part.half(axis, true), halvings - 1) : lower;
 }
 
-/// Is h(u) - u . F u at least `floor` on the part of the triangle, mirrored or not, that the axis may sweep?
+/// Is h(u) - u . F u at least `floor` on that part of the triangle (of its mirror image, if `mirror` is -1) which the
+/// axis may sweep?
 bool Floors::covers(std::int32_t at, const Sweep& sweep, double mirror, double floor) {
   if (triangles_[at].bound >= floor || sweep.misses(triangles_[at].corners, mirror)) return true;
   if (triangles_[at].level >= kFirst && !show_cut(at, sweep, mirror, floor)) return false;
@@ -98,8 +99,10 @@ bool Floors::covers(std::int32_t at, const Sweep& sweep, double mirror, double f
   return true;
 }
 
-/// A bound of g . u - u . F u on the triangle. In the plane of the corners u = sum a_j p_j, sum a_j = 1, it is the mean
-/// of (g . p_i + g . p_j) / 2 - p_i . F p_j with weights a_i a_j. A point of the sphere is further out by a factor s
+/// A lower bound of g . u - u . F u on the triangle. In the plane of the corners u = sum a_j p_j, sum a_j = 1, this is
+/// the mean of (g . p_i + g . p_j) / 2 - p_i . F p_j with weights a_i a_j. A point of the sphere is further out by a
+/// factor s <= 1.1, which changes it by (s - 1) (g . u - (s + 1) u . F u). That is no decrease if g . p_j >= 2.1 p_i .
+/// F p_k for all corners.
 /// <= 1.1, which changes it by (s - 1) (g . u - (s + 1) u . F u): not down, if g . p_j >= 2.1 p_i . F p_k for all
 /// corners.
 double Floors::least(const Vector& g, const std::array<Vector, 3>& p) const {
@@ -115,8 +118,8 @@ double Floors::least(const Vector& g, const std::array<Vector, 3>& p) const {
   return linear >= 2.1 * most + kAside ? least : -std::numeric_limits<double>::infinity();
 }
 
-/// Raises the triangle's bound to that of the cut at its centre c, if that was not done: h(u) >= g . u for every u.
-/// False if the floor does not hold at c, where the axis may well point to.
+/// Raises the bound of the triangle to that of the cut at its centre c, if that was not done before: h(u) >= g . u for
+/// every u. Returns false if the floor does not hold at c and the axis may point to c.
 bool Floors::show_cut(std::int32_t at, const Sweep& sweep, double mirror, double floor) {
   if (triangles_[at].cut) return true;
   const std::array<Vector, 3> p = triangles_[at].corners;
@@ -136,7 +139,7 @@ bool Floors::show_cut(std::int32_t at, const Sweep& sweep, double mirror, double
   return g.dot(c) - c.dot(form_ * c) >= floor || sweep.misses({c, c, c}, mirror);
 }
 
-/// The list of the triangle or of the smallest one above it that keeps one.
+/// The list of the triangle or, if it keeps none, of the smallest triangle above it that does.
 const Floors::List& Floors::list_over(std::int32_t at) {
   if (at < 0) return lists_[0];
   if (triangles_[at].list < 0) {
@@ -149,7 +152,7 @@ const Floors::List& Floors::list_over(std::int32_t at) {
   return lists_[triangles_[at].list];
 }
 
-/// Where rounding takes a face for settled that is not, its sign is that of a valid cut all the same.
+/// If rounding makes a face count as settled that is not, its sign is still that of a valid cut.
 Floors::List Floors::narrowed(const List& list, const std::array<Vector, 3>& p) const {
   List result;
   result.settled = list.settled;
@@ -164,7 +167,7 @@ Floors::List Floors::narrowed(const List& list, const std::array<Vector, 3>& p) 
   return result;
 }
 
-/// Into four round the midpoints of the edges, which are the same from either side.
+/// Divides a triangle into four at the midpoints of its edges, which have the same bits for both triangles at the edge.
 void Floors::divide(std::int32_t at) {
   if (triangles_.size() + 4 > kMostTriangles) {
     too_many_ = true;

@@ -1,4 +1,4 @@
-// Lower bounds of h(u) - u . F u, h(u) = sum |u . v_i|, where an axis of the frame points to.
+// Checks lower bounds of h(u) - u . F u, where h(u) = sum |u . v_i|, on what an axis of the frame sweeps.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,20 @@
 namespace rectilin::verification {
 
 struct Face {
-  double x, y, z;  // area vector, in units of the surface
+  double x, y, z;  // area vector, in units of the surface area
 };
 
-/// A subdivision of half the sphere (h is even) into triangles, refined where a claim asks for it. What was found for
-/// one claim serves the next.
+/// A subdivision of half the sphere (enough, as h is even) into triangles, refined where a claim needs it. What is
+/// computed for one claim is used for the next.
 class Floors {
  public:
   enum class Answer { kHolds, kFails, kTooMany };
 
-  /// F is symmetric, its entries at most 1.
+  /// F must be symmetric, with entries of at most 1.
   Floors(const std::vector<Face>& faces, const Eigen::Matrix3d& form);
 
-  /// Is h(r_k) - r_k . F r_k >= floors[k] for the axes r_k of all rotations in the box? If that does not show, halves
-  /// of the box are tried, down to `halvings`. kTooMany: so many triangles are not worth it.
+  /// Is h(r_k) - r_k . F r_k >= floors[k] for the axes r_k of all rotations in the box? Where this does not show at
+  /// once, halves of the box are tried, up to `halvings` times. kTooMany: the check would take too many triangles.
   Answer check(const std::array<double, 3>& floors, const Part& part, int halvings);
 
  private:
@@ -31,12 +31,12 @@ class Floors {
 
   struct Triangle {
     std::array<Vector, 3> corners;  // unit vectors
-    double bound = -1e9;            // it is nowhere less
+    double bound = -1e9;            // h less the form is nowhere less
     std::int32_t above = -1, parts = -1, list = -1;
     std::int8_t level = 0;
-    bool cut = false;  // `bound` is at least that of a cut
+    bool cut = false;  // `bound` includes that of the cut at the centre
   };
-  /// Faces that have no common sign on a triangle, and the sum of the others with theirs.
+  /// The faces that have no common sign on a triangle, and the signed sum of all others.
   struct List {
     std::vector<std::uint32_t> faces;
     Extended settled = Extended::Zero();
@@ -52,8 +52,8 @@ class Floors {
 
   const std::vector<Face>& faces_;
   const Eigen::Matrix3d form_;
-  std::vector<Triangle> triangles_;  // the first four make up half the sphere
-  std::vector<List> lists_;          // the first one: all faces
+  std::vector<Triangle> triangles_;  // the first four cover half the sphere
+  std::vector<List> lists_;          // the first one holds all faces
   bool too_many_ = false;
 };
 

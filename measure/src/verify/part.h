@@ -1,4 +1,4 @@
-// Boxes of Rodrigues vectors, and bounds of linear forms on them, as the verifier computes them.
+// Boxes of Rodrigues vectors, and bounds of linear forms on them, as the checker computes them.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,7 +24,7 @@ struct Part {
     return axis;
   }
 
-  /// The least |rho|_1 in the box exceeds 1.
+  /// Is |rho|_1 greater than 1 everywhere in the box?
   bool outside_zone() const {
     long double sum = 0;
     for (int i = 0; i < 3; ++i) sum += std::max({0.0, low[i], -high[i]});
@@ -32,10 +32,10 @@ struct Part {
   }
 };
 
-/// A number that sum_k g_k . r_k(rho), g_k the rows of g, does not fall below on the box, but for rounding. Multiplied
-/// by 1 + |rho|^2 and less a bound times that it is a polynomial, quadratic in each coordinate, that is nonnegative if
-/// its Bernstein coefficients on the box are. Those are the values of its polar form, where x^2 becomes low^2, low *
-/// high or high^2 and x their mean. (That of 1 + |rho|^2 is positive: the products are at least -0.18.)
+/// A lower bound on the box of sum_k g_k . r_k(rho), where g_k are the rows of g, up to rounding. Multiplied by 1 +
+/// |rho|^2, less a bound times 1 + |rho|^2, it is a polynomial that is quadratic in each coordinate. It is nonnegative
+/// if its Bernstein coefficients on the box are. These are the values of its polar form, where x^2 becomes low^2, low *
+/// high or high^2, and x their mean. (That of 1 + |rho|^2 is positive: the products are at least -0.18.)
 inline double least_on(const Eigen::Matrix3d& g, const Part& part) {
   const double trace = g.trace();
   const Eigen::Vector3d linear(g(2, 1) - g(1, 2), g(0, 2) - g(2, 0), g(1, 0) - g(0, 1));

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kSeparator = "::";
 
-/// A file as it was when it was opened; one that was written anew is another.
+/// A file as it was when it was opened. A file that has been written since then has another state.
 struct FileState {
   std::string path;
   std::uintmax_t size = 0;
@@ -26,7 +26,7 @@ struct FileState {
 };
 
 FileState state_of(const std::string& path) {
-  std::error_code ignored;  // a file that is not there is complained of when it is opened
+  std::error_code ignored;  // if the file is missing, opening it says so
   FileState state{path, fs::file_size(path, ignored), {}};
   state.changed = fs::last_write_time(path, ignored);
   return state;
@@ -34,13 +34,13 @@ FileState state_of(const std::string& path) {
 
 std::uint64_t hash_of(std::string_view member) { return Fnv1a().add(member).value(); }
 
-/// Archives that are open, each standing at some member, and where the members passed so far were.
+/// Archives that are kept open, each standing at some member, and the places of the members seen so far.
 class OpenArchives {
  public:
   std::string read(const MemberName& name) {
     const FileState file = state_of(name.archive);
     std::unique_ptr<Unpacker> unpacker = take(file, name.member);
-    // The second round is for a name whose hash is that of another, and for an unpacker that had passed it.
+    // A second round is needed when two names have the same hash, or when the archive was open behind the member.
     for (int round = 0; round < 2; ++round) {
       if (!unpacker) unpacker = std::make_unique<Unpacker>(fs::path(name.archive));
       while (unpacker->next()) {
@@ -65,10 +65,11 @@ class OpenArchives {
   struct Index {
     FileState file;
     std::unordered_map<std::uint64_t, std::size_t> positions;
-    std::size_t passed = 0;  ///< members that are in it
+    std::size_t passed = 0;  ///< number of members that the index covers
   };
 
-  /// An unpacker that stands before the member and as near to it as may be; none if one must be opened.
+  /// Takes the open archive that stands before the member, as near to it as possible; none if the archive must be
+  /// opened anew.
   std::unique_ptr<Unpacker> take(const FileState& file, const std::string& member) {
     const std::lock_guard lock(mutex_);
     const Index& index = index_of(file);
@@ -110,12 +111,12 @@ class OpenArchives {
   }
 
   std::mutex mutex_;
-  std::list<Open> open_;      ///< the one used last comes first
+  std::list<Open> open_;      ///< most recently used first
   std::list<Index> indices_;  ///< likewise
 };
 
-/// macOS puts "._x.obj" beside x.obj, which is no mesh.
-/// Names with control characters would break the lines that lists and errors are made of.
+/// Is the member a mesh? macOS puts "._x.obj" beside x.obj, which is none. Names with control characters are left out:
+/// they would break the lines that lists and errors are made of.
 bool is_mesh_member(const std::string& member) {
   if (std::ranges::any_of(member, [](unsigned char c) { return c < ' '; })) return false;
   const fs::path path(member);

@@ -31,7 +31,7 @@ std::string_view ending_of(std::string_view file, const Endings& endings) {
   return found == endings.end() ? std::string_view() : *found;
 }
 
-/// The name of what a compressed file holds; empty for archives of many.
+/// The name of the only member of a compressed single file (x.obj for x.obj.gz); empty for archives of many members.
 std::string only_member_of(const fs::path& file) {
   const std::string name = file.filename().string(), low = lower(name);
   const std::string_view ending = ending_of(low, kCompressions);
@@ -40,7 +40,8 @@ std::string only_member_of(const fs::path& file) {
   return lower(inner).ends_with(".tar") ? std::string() : inner;
 }
 
-/// The library takes names to be in the locale's encoding; while one of these lives, for this thread, it is UTF-8.
+/// libarchive assumes that names are in the encoding of the locale. While an object of this class lives, that is UTF-8
+/// for this thread.
 class Utf8Locale {
  public:
   Utf8Locale() : before_(uselocale(utf8())) {}
@@ -51,7 +52,7 @@ class Utf8Locale {
  private:
   static locale_t utf8() {
     static const locale_t locale = newlocale(LC_CTYPE_MASK, "C.UTF-8", locale_t{});
-    return locale;  // if there is none, null: the locale stays as it is
+    return locale;  // null if the system has none: the locale then stays as it is
   }
   locale_t before_;
 };
@@ -100,7 +101,7 @@ void Unpacker::open(int result) {
 bool Unpacker::next() {
   const Utf8Locale utf8;
   archive* const a = archive_.get();
-  // What is skipped in a compressed stream is unpacked all the same.
+  // Skipping a member of a compressed stream unpacks it all the same, so it counts towards the limit.
   if (unread_ && archive_filter_count(a) > 1) check();
   for (;;) {
     archive_entry* entry = nullptr;
@@ -112,7 +113,7 @@ bool Unpacker::next() {
     count(0);
     if (only_member_.empty() && archive_entry_filetype(entry) != AE_IFREG) continue;
     const char* path = archive_entry_pathname(entry);
-    if (!path) continue;  // a name in no encoding that is known
+    if (!path) continue;  // the name is in no known encoding
     member_ = only_member_.empty() ? path : only_member_;
     claimed_ = archive_entry_size_is_set(entry)
                    ? static_cast<std::uint64_t>(std::max<std::int64_t>(0, archive_entry_size(entry)))
@@ -122,7 +123,7 @@ bool Unpacker::next() {
   }
 }
 
-/// Calls take(bytes, offset) for the blocks of the member.
+/// Calls take(bytes, offset) for each block of the member.
 template <class Take>
 void Unpacker::unpack(const Take& take) {
   unread_ = false;

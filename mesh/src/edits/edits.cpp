@@ -31,7 +31,7 @@ Mesh without_faces(const Mesh& mesh, double fraction, Random random) {
   const std::size_t gone = std::min(wanted, faces - 1);
   std::vector<std::size_t> order(faces);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  for (std::size_t i = 0; i < gone; ++i)  // the beginning of a shuffle (Fisher and Yates)
+  for (std::size_t i = 0; i < gone; ++i)  // the first steps of a Fisher-Yates shuffle
     std::swap(order[i], order[i + random.below(faces - i)]);
   std::sort(order.begin() + static_cast<std::ptrdiff_t>(gone), order.end());
   Mesh rest{mesh.vertices, {}};

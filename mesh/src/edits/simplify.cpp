@@ -9,19 +9,19 @@
 namespace rectilin {
 namespace {
 
-/// Vertices in single precision, in largest extents from the first one.
+/// The vertices in single precision, relative to the first one and in units of the longest side of the bounding box.
 std::vector<float> positions(const Mesh& mesh) {
   const double extent = largest_extent(mesh), scale = extent > 0 ? 1 / extent : 1;
   std::vector<float> result;
   for (const Vector3& p : mesh.vertices)
     for (const double x : (p - mesh.vertices.front()) * scale)
-      result.push_back(static_cast<float>(x) + 0.0f);  // no -0: vertices are compared byte by byte
+      result.push_back(static_cast<float>(x) + 0.0f);  // + 0 turns -0 into 0: vertices are compared byte by byte
   return result;
 }
 
 constexpr std::size_t kStride = 3 * sizeof(float);
 
-/// The mesh with one vertex for each position in single precision that a triangle uses.
+/// The mesh with only the vertices that triangles use, where vertices at the same position in single precision are one.
 Mesh welded(const Mesh& mesh) {
   const std::vector<float> points = positions(mesh);
   std::vector<unsigned> corners;
@@ -30,7 +30,7 @@ Mesh welded(const Mesh& mesh) {
   Mesh result;
   result.vertices.resize(
       meshopt_generateVertexRemap(place.data(), corners.data(), corners.size(), points.data(), place.size(), kStride));
-  for (std::size_t i = place.size(); i-- > 0;)  // from the end: the first of several stays
+  for (std::size_t i = place.size(); i-- > 0;)  // backwards, so that the first of several vertices is kept
     if (place[i] < result.vertices.size()) result.vertices[place[i]] = mesh.vertices[i];
   for (const Triangle& t : mesh.triangles) result.triangles.push_back({place[t[0]], place[t[1]], place[t[2]]});
   std::erase_if(result.triangles, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });

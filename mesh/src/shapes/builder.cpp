@@ -7,8 +7,8 @@
 namespace rectilin::shapes {
 namespace {
 
-/// Numbers the lattice points on a box's surface: layer by layer, all of the bottom and the top
-/// one, only the rim of those between.
+/// Numbers the lattice points on the surface of a box layer by layer: all points of the bottom and the top layer, only
+/// the rim of those in between.
 class SurfaceNumbering {
  public:
   explicit SurfaceNumbering(const LatticePoint& cells)
@@ -58,9 +58,9 @@ Ring add_square(Mesh& mesh, double side, double z) {
 void add_strip(Mesh& mesh, Ring lower, Ring upper) {
   const std::uint64_t m = lower.count, n = upper.count;
   const std::uint64_t lower_steps = m > 1 ? m : 0, upper_steps = n > 1 ? n : 0;
-  // Next comes the ring whose next vertex is the earlier one around, (i+1)/m against (j+1)/n. At a
-  // tie the smaller ring: between rings of 4k and 4k+4 that makes the regular pattern of an
-  // octahedron.
+  // The next triangle advances on the ring whose next vertex comes first around the axis: compares (i+1)/m with
+  // (j+1)/n. In a tie the smaller ring goes first, which between rings of 4k and 4k+4 vertices gives the regular
+  // pattern of an octahedron.
   const auto lower_is_next = [=](std::uint64_t i, std::uint64_t j) {
     if (i == lower_steps || j == upper_steps) return i < lower_steps;
     const std::uint64_t a = (i + 1) * n, b = (j + 1) * m;
@@ -95,7 +95,7 @@ Mesh box_surface(const LatticePoint& cells, const std::function<Vector3(const La
   const SurfaceNumbering number(cells);
   Mesh mesh;
   mesh.vertices.resize(number.size());
-  mesh.triangles.reserve(2 * number.size());  // Euler's formula, but for four
+  mesh.triangles.reserve(2 * number.size());  // the number of triangles by Euler's formula, plus four
   const auto add_side = [&](int axis, bool far) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     LatticePoint p{};

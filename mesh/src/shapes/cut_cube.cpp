@@ -1,4 +1,4 @@
-// A cube with everything beyond a plane cut off: convex clipping, each face a polygon.
+// A cube from which everything beyond a plane is cut off. Each side is clipped as a convex polygon.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,13 +11,13 @@
 namespace rectilin::shapes {
 namespace {
 
-/// Corners nearer to the plane than this lie on it: no slivers of rounding errors.
+/// Corners this close to the plane count as lying on it, so that rounding makes no slivers.
 constexpr double kOnPlane = 1e-12;
 
-/// Corner `i` of the unit cube about the origin: bit b of i tells the side along axis b.
+/// Corner `i` of the unit cube about the origin: bit b of i says on which side it is along axis b.
 Vector3 corner(int i) { return {(i & 1) - 0.5, (i >> 1 & 1) - 0.5, (i >> 2 & 1) - 0.5}; }
 
-/// The four corners of a side, counterclockwise from outside.
+/// The four corners of a side, counterclockwise seen from outside.
 std::array<int, 4> side(int axis, bool far) {
   const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3, base = far ? 1 << axis : 0;
   return far ? std::array{base, base | u, base | u | v, base | v} : std::array{0, v, u | v, u};
@@ -52,7 +52,7 @@ class Cut {
     return polygon;
   }
 
-  /// Where the plane cuts the edge from corner a to b; the corner itself if they are one.
+  /// The vertex where the plane cuts the edge from corner a to b; the corner itself if a is b.
   std::uint32_t vertex(int a, int b) {
     const auto [at, is_new] = numbers_.try_emplace({a, b}, static_cast<std::uint32_t>(mesh_.vertices.size()));
     if (is_new) {
@@ -73,7 +73,7 @@ class Cut {
     }
   }
 
-  /// The new side: its edges are those of the clipped sides on the plane, the other way round.
+  /// Adds the new side. Its edges are those of the clipped sides that lie on the plane, in the opposite direction.
   void close() {
     std::vector<std::uint32_t> polygon;
     const std::uint32_t start = rim_.begin()->first;
@@ -85,11 +85,11 @@ class Cut {
     add_polygon(polygon);
   }
 
-  std::array<double, 8> height_;  ///< of the corners above the plane
+  std::array<double, 8> height_;  ///< height of each corner above the plane
   Mesh mesh_;
-  std::vector<bool> on_plane_;                            ///< for each vertex
-  std::map<std::pair<int, int>, std::uint32_t> numbers_;  ///< of vertices, by the edge they are on
-  std::map<std::uint32_t, std::uint32_t> rim_;            ///< from each vertex of the cut to the next
+  std::vector<bool> on_plane_;                            ///< whether each vertex is on the plane
+  std::map<std::pair<int, int>, std::uint32_t> numbers_;  ///< numbers of the vertices, by the edge that each is on
+  std::map<std::uint32_t, std::uint32_t> rim_;            ///< for each vertex of the cut the next one
 };
 
 }  // namespace

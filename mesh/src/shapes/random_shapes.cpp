@@ -31,8 +31,7 @@ void Blob::bind(Parameters& parameters) {
       .real("frequency", frequency, 0, 100, "largest wave number; the more, the smaller the bumps");
 }
 
-/// The radius is the exponential of a sum of waves, so it is never zero: star-shaped, however
-/// bumpy.
+/// The radius is the exponential of a sum of waves and so never zero: however bumpy, the shape stays star-shaped.
 Mesh Blob::build(Random& random) const {
   std::vector<Wave> all;
   for (int i = 0; i < waves; ++i) all.push_back(random_wave(random, frequency));

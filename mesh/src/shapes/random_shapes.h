@@ -1,4 +1,4 @@
-// Random shapes. Each options struct documents its shape by what it binds.
+// Random shapes. What each struct binds documents its shape.
 #pragma once
 
 #include "rectilin/base/parameters.h"

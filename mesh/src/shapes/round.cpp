@@ -57,12 +57,11 @@ void FilletedCube::bind(Parameters& parameters) {
       .integer("segments", segments, 1, 800, "divisions of an eighth of a circle");
 }
 
-/// A rounded box is every point within `radius` of a smaller box, the core. The surface is a
-/// lattice on a cube; each of its lines stands for a coordinate of the core and the tangent of the
-/// normal's angle, so the normal at a lattice point is (t_x, t_y, t_z) up to length, one of them
-/// being -1 or 1.
+/// A rounded cube is the set of points within `radius` of a smaller cube, the core. The surface is a lattice on a cube.
+/// Each lattice coordinate stands for a coordinate of the core and for the tangent of the normal's angle, so the normal
+/// at a lattice point is (t_x, t_y, t_z) up to length, with one of the three -1 or 1.
 Mesh FilletedCube::build() const {
-  constexpr double kTooSmall = 1e-6;  // to be seen, and to divide well in double precision
+  constexpr double kTooSmall = 1e-6;  // for a picture, and for accurate division in double precision
   const bool is_rounded = radius > kTooSmall, is_flat = radius < 0.5 - kTooSmall;
   const double r = !is_rounded ? 0 : is_flat ? radius : 0.5;
   const double core = 0.5 - r;

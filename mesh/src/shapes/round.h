@@ -1,4 +1,4 @@
-// Round shapes, as fine as asked. Each options struct documents its shape by what it binds.
+// Round shapes, of any fineness. What each struct binds documents its shape.
 #pragma once
 
 #include "rectilin/base/parameters.h"
@@ -6,7 +6,7 @@
 
 namespace rectilin::shapes {
 
-/// How the unit sphere is divided into triangles. All three converge to it at second order.
+/// Ways to divide the unit sphere into triangles. With all three the error falls with the square of the edge length.
 struct Tessellation {
   enum class Kind {
     kOctahedral,  ///< an octahedron's faces divided into 4^subdivisions; has all its symmetries
@@ -20,7 +20,7 @@ struct Tessellation {
 
   void bind(Parameters& parameters);
 
-  /// Throws ParameterError if a setting was changed that another kind of division has.
+  /// Throws ParameterError if a setting was changed that belongs to another kind of division.
   Mesh unit_sphere() const;
 };
 

@@ -13,14 +13,14 @@
 namespace rectilin {
 namespace {
 
-/// Streams of random numbers, one for each use, so that no setting changes what another one draws.
+/// Separate streams of random numbers for each use, so that no setting changes what another one draws.
 enum Stream : std::uint64_t { kShapeStream, kRotationStream, kNoiseStream };
 
-/// What every shape accepts besides its own settings; done in the order noise, rotation, scale.
+/// The settings that every shape accepts besides its own. They are applied in the order noise, rotation, scale.
 struct Finish {
   double noise = 0;
   std::string rotate = "none";
-  std::array<double, 3> angles{};  ///< of `rotate` when it is neither "none" nor "random"
+  std::array<double, 3> angles{};  ///< Euler angles, if `rotate` is neither "none" nor "random"
   double scale = 1;
   std::uint64_t seed = 1;
 
@@ -29,10 +29,11 @@ struct Finish {
         .custom(
             "rotate", "none | random | a,b,c", [this](const Json& value) { return set_rotate(value); },
             [this] { return Json(rotate); },
-            "none, uniformly random by the seed, or three Euler angles in radians (eqs. 35-37)")
-        .real("noise", noise, 0, 10, "standard deviation of each vertex coordinate's displacement, in largest extents")
-        .real("scale", scale, 1e-100, 1e100, "factor for all lengths, last of all")
-        .seed("seed", seed, "seed of the shape's, the rotation's and the noise's random numbers");
+            "none, random (by the seed), or three Euler angles in radians (eqs. 35-37)")
+        .real("noise", noise, 0, 10,
+              "standard deviation of each vertex coordinate's displacement, in longest sides of the box")
+        .real("scale", scale, 1e-100, 1e100, "factor for all lengths, applied last")
+        .seed("seed", seed, "seed of the random numbers for shape, rotation and noise");
   }
 
   void apply(Mesh& mesh) const {
@@ -118,7 +119,7 @@ const Factory<Mesh>& shape_table() {
           .add<Sphere>("sphere", "sphere")
           .add<Ellipsoid>("ellipsoid", "ellipsoid (Fig. 10)")
           .add<Torus>("torus", "torus about the z axis")
-          .add<Blob>("blob", "bumpy star-shaped surface of any number of faces, random")
+          .add<Blob>("blob", "random bumpy star-shaped surface with any number of faces")
           .add<Soup>("soup", "loose random triangles");
   return all.table();
 }

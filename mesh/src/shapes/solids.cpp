@@ -18,8 +18,7 @@ void bind_extents(Parameters& parameters, double& x, double& y, double& z) {
   bind_length(parameters, "z", z, "extent along z");
 }
 
-/// The finest division of a box into nearly cubic cells with at most `faces` triangles on its
-/// surface.
+/// The finest division of a box into nearly cubic cells for which the surface has at most `faces` triangles.
 LatticePoint divide_box(const Vector3& size, int faces) {
   const auto cells = [&](double per_length) {
     LatticePoint n;
@@ -36,8 +35,8 @@ LatticePoint divide_box(const Vector3& size, int faces) {
   return cells(fits);
 }
 
-/// The solid between a polygon at z = 0 and the same one at `height`. The polygon's corners run
-/// counterclockwise, and its first one sees all the others.
+/// The solid between a polygon at z = 0 and a copy of it at `height`. The corners run counterclockwise, and all must be
+/// visible from the first one.
 Mesh extrude(std::vector<Vector3> polygon, double height) {
   Mesh mesh;
   const Ring bottom = add_ring(mesh, polygon);
@@ -53,7 +52,8 @@ Mesh extrude(std::vector<Vector3> polygon, double height) {
 
 void Box::bind(Parameters& parameters) {
   bind_extents(parameters, x, y, z);
-  parameters.integer("faces", faces, 12, kMaxFaces, "most triangles; the sides are divided as finely as that allows");
+  parameters.integer("faces", faces, 12, kMaxFaces,
+                     "upper limit for the triangles; sides are divided as finely as it allows");
 }
 
 Mesh Box::build() const {
@@ -121,14 +121,14 @@ Mesh Stairs::build() const {
   }
   profile.emplace_back(0, z, 0);
   Mesh mesh = extrude(profile, x);
-  for (auto& p : mesh.vertices) p = {p.z(), p.x(), p.y()};  // a cyclic change keeps outside outside
+  for (auto& p : mesh.vertices) p = {p.z(), p.x(), p.y()};  // a cyclic change of the coordinates keeps the orientation
   return mesh;
 }
 
 void SteppedPyramid::bind(Parameters& parameters) {
   bind_length(parameters, "base", base, "side of the lowest square");
   bind_length(parameters, "height", height, "height of all steps together");
-  parameters.integer("steps", steps, 1, 1'000'000, "number of steps; the more, the more like a pyramid");
+  parameters.integer("steps", steps, 1, 1'000'000, "number of steps; with many it looks like a pyramid");
 }
 
 Mesh SteppedPyramid::build() const {

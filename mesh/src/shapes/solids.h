@@ -1,4 +1,4 @@
-// Shapes with flat sides. Each options struct documents its shape by what it binds.
+// Shapes with flat sides. What each struct binds documents its shape.
 #pragma once
 
 #include <array>

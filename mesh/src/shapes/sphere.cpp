@@ -1,6 +1,5 @@
-// The unit sphere as a stack of rings from pole to pole. The kinds of tessellation differ in how
-// many vertices each ring has and where they sit; the triangles between rings are made the same
-// way.
+// The unit sphere as a stack of rings from pole to pole. The kinds of tessellation differ in how many vertices each
+// ring has and where they are; the triangles between the rings are made in the same way.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Rings of the given sizes at equally spaced latitudes, poles added.
+/// A sphere of rings with the given sizes at equally spaced latitudes, and two poles.
 Mesh sphere_of_rings(const std::vector<int>& sizes) {
   Mesh mesh;
   const auto latitudes = static_cast<double>(sizes.size() + 1);
@@ -29,11 +28,11 @@ Mesh sphere_of_rings(const std::vector<int>& sizes) {
   return mesh;
 }
 
-/// Ring sizes for `faces` nearly equal triangles. A ring of n vertices accounts for 2n triangles,
-/// so the sizes must add up to faces/2: they are the steps of a rounded cumulative sum.
+/// Ring sizes for `faces` nearly equal triangles. A ring of n vertices accounts for 2n triangles, so the sizes must add
+/// up to faces/2: they are the steps of a rounded cumulative sum.
 std::vector<int> even_ring_sizes(int faces) {
   const int vertices = faces / 2;
-  const double edge = std::sqrt(8 * pi / (std::sqrt(3.0) * vertices));  // of equilateral triangles
+  const double edge = std::sqrt(8 * pi / (std::sqrt(3.0) * vertices));  // edge length if all triangles were equilateral
   const int rings = std::max(1, static_cast<int>(std::lround(pi / (edge * std::sqrt(0.75)))) - 1);
   std::vector<double> length_up_to{0};
   for (int i = 1; i <= rings; ++i) length_up_to.push_back(length_up_to.back() + std::sin(pi * i / (rings + 1)));
@@ -47,9 +46,8 @@ std::vector<int> even_ring_sizes(int faces) {
   return sizes;
 }
 
-/// Vertex `i` of the ring `k` steps from a pole of the octahedron |x| + |y| + |z| = 1 with edges
-/// cut into `n`, at height z, moved to the sphere. Sines make the vertices along the edges equally
-/// spaced.
+/// Vertex `i` of the ring that is `k` steps from a pole of the octahedron |x| + |y| + |z| = 1, whose edges are cut into
+/// `n` parts, at height z and moved onto the sphere. Sines space the vertices along the octahedron's edges equally.
 Vector3 octahedral_vertex(int n, int k, int i, double z) {
   const int quarter = k == 0 ? 0 : i / k, along = k == 0 ? 0 : i % k;
   double x = 1.0 * (k - along) / n, y = 1.0 * along / n;

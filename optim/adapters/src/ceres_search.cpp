@@ -1,4 +1,4 @@
-// Ceres behind the interface of an optimizer.
+// Ceres as an optimizer of this project.
 #include <ceres/gradient_problem.h>
 #include <ceres/gradient_problem_solver.h>
 #include <ceres/manifold.h>
@@ -19,7 +19,7 @@ struct CeresOptions {
   void bind(Parameters& table);
 };
 
-/// The surrogate as a function of a unit quaternion (x, y, z, w).
+/// The smooth surrogate as a function of a unit quaternion (x, y, z, w), as Ceres wants it.
 class Surrogate final : public ceres::FirstOrderFunction {
  public:
   Surrogate(Evaluator& evaluator, double width) : evaluator_(evaluator), width_(width) {}
@@ -27,15 +27,16 @@ class Surrogate final : public ceres::FirstOrderFunction {
   int NumParameters() const override { return 4; }
 
   bool Evaluate(const double* parameters, double* cost, double* gradient) const override {
-    if (evaluator_.remaining() < Costs::kPerSmooth + Costs::kPerValue) return false;  // one for the end point
+    if (evaluator_.remaining() < Costs::kPerSmooth + Costs::kPerValue)
+      return false;  // one evaluation is kept for the end point
     const Eigen::Quaterniond q(parameters);
     const Rotation rotation = Rotation::from_quaternion(q);
     const SmoothValue smooth = evaluator_.smooth(rotation, width_);
     if (!std::isfinite(smooth.value)) return false;
     *cost = smooth.value;
     if (gradient) {
-      // Ceres moves by d to (d, 1) q, a turn by 2d, and the directions (e_i, 0) q are orthonormal:
-      // the gradient on the manifold, in that basis.
+      // Ceres moves q to (d, 1) q, which is a turn by 2d, and the directions (e_i, 0) q are orthonormal, so this is the
+      // gradient on the manifold in that basis.
       const Eigen::Vector3d slope = 2 * turning_gradient(smooth.gradient, rotation);
       const Eigen::Quaterniond ambient = Eigen::Quaterniond(0, slope.x(), slope.y(), slope.z()) * q;
       std::copy_n(ambient.coeffs().data(), 4, gradient);
@@ -50,8 +51,8 @@ class Surrogate final : public ceres::FirstOrderFunction {
 
 void CeresOptions::bind(Parameters& table) {
   bind_starts(table, starts,
-              "descents, the first from the incumbent, if there is one, the others from random rotations");
-  table.integer("iterations", iterations, 1, 1000000, "iterations of L-BFGS in each round, at most");
+              "descents: the first from the incumbent, if there is one, the others from random rotations");
+  table.integer("iterations", iterations, 1, 1000000, "largest number of L-BFGS iterations in each round");
   graduation.bind(table);
 }
 

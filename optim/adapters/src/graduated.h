@@ -1,4 +1,5 @@
-// Graduated smoothing: minimise a rounded-off objective, round it off less, and go on from there.
+// Graduated smoothing: minimise a heavily rounded-off objective, then a less rounded one from where that ended, and
+// so on.
 #pragma once
 
 #include <cmath>
@@ -7,8 +8,8 @@
 
 namespace rectilin {
 
-/// Widths of the smooth surrogate, from `width` down to `narrow` in equal ratios (Blake and
-/// Zisserman 1987 call the idea graduated non-convexity).
+/// The widths of the smooth surrogate: from `width` down to `narrow` in equal ratios (Blake and Zisserman 1987 call the
+/// idea graduated non-convexity).
 struct Graduation {
   double width = 0.1;
   double narrow = 1e-6;
@@ -21,7 +22,7 @@ struct Graduation {
   void bind(Parameters& table) {
     table.real("width", width, 1e-12, 10, "width of the smooth surrogate in the first round, radians")
         .real("narrow", narrow, 1e-12, 10, "width in the last round")
-        .integer("rounds", rounds, 1, 1000, "rounds, each from where the one before it ended");
+        .integer("rounds", rounds, 1, 1000, "number of rounds; each begins where the one before it ended");
   }
 };
 

@@ -1,4 +1,4 @@
-// The algorithms of NLopt that are offered, and what there is to know of each.
+// The algorithms of NLopt that are offered, with their properties.
 #pragma once
 
 #include <nlopt.hpp>
@@ -9,16 +9,16 @@ struct NloptAlgorithm {
   nlopt::algorithm id;
   const char* name;
   const char* help;
-  bool uses_start = true;   ///< otherwise the start, and with it the seed, makes no difference
-  bool population = false;  ///< has a population or a number of samples to choose
+  bool uses_start = true;   ///< otherwise neither the start nor the seed makes a difference
+  bool population = false;  ///< has a population size or number of samples that can be set
   bool sublocal = false;    ///< runs another algorithm inside
 
   bool local() const { return name[0] == 'L'; }
   bool gradient() const { return name[1] == 'D'; }
 };
 
-/// GN_DIRECT_L_NOSCAL and GN_DIRECT_L_RAND_NOSCAL are left out: in NLopt 2.7.1 they ask for the
-/// same points in the same order as GN_DIRECT_NOSCAL.
+/// GN_DIRECT_L_NOSCAL and GN_DIRECT_L_RAND_NOSCAL are left out: in NLopt 2.7.1 they evaluate the same points in the
+/// same order as GN_DIRECT_NOSCAL.
 inline constexpr NloptAlgorithm kNloptAlgorithms[] = {
     {nlopt::LN_COBYLA, "LN_COBYLA", "linear models on a simplex (Powell 1994); local"},
     {nlopt::LN_BOBYQA, "LN_BOBYQA", "quadratic models in a box (Powell 2009); local"},
@@ -40,9 +40,9 @@ inline constexpr NloptAlgorithm kNloptAlgorithms[] = {
     {nlopt::GN_DIRECT, "GN_DIRECT", "dividing rectangles (Jones et al. 1993)", false},
     {nlopt::GN_DIRECT_L, "GN_DIRECT_L", "dividing rectangles, biased to local search (Gablonsky and Kelley 2001)",
      false},
-    {nlopt::GN_DIRECT_L_RAND, "GN_DIRECT_L_RAND", "the same with random choices among equals"},
+    {nlopt::GN_DIRECT_L_RAND, "GN_DIRECT_L_RAND", "the same, with random choices among equal rectangles"},
     {nlopt::GN_DIRECT_NOSCAL, "GN_DIRECT_NOSCAL", "dividing rectangles, box not scaled to a cube", false},
-    // Not GN_ORIG_DIRECT and GN_ORIG_DIRECT_L: NLopt 2.7.1 reads out of bounds in them on small budgets.
+    // GN_ORIG_DIRECT and GN_ORIG_DIRECT_L are left out: NLopt 2.7.1 reads out of bounds in them on small budgets.
     {nlopt::GN_CRS2_LM, "GN_CRS2_LM", "controlled random search with local mutation (Kaelo and Ali 2006)", true, true},
     {nlopt::GN_ISRES, "GN_ISRES", "evolution strategy (Runarsson and Yao 2005)", true, true},
     {nlopt::GN_ESCH, "GN_ESCH", "evolutionary algorithm (da Silva Santos et al. 2010)", true, true},

@@ -1,4 +1,4 @@
-// NLopt behind the interface of an optimizer.
+// NLopt as an optimizer of this project.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,7 +13,7 @@
 namespace rectilin {
 namespace {
 
-/// A global search cannot go on from where another ended.
+/// Global searches get a single round, since they cannot continue from where another round ended.
 constexpr Graduation kOneRound{.width = 1e-3, .narrow = 1e-3, .rounds = 1};
 
 struct NloptOptions {
@@ -31,9 +31,9 @@ struct NloptOptions {
     Allowance::bind(table, evaluations);
     table.real("tolerance", tolerance, 0, 1, "change of the coordinates that ends a search, radians or the like");
     if (!algorithm->gradient())
-      table.real("step", step, 1e-9, 0.5, "first step of a local search, as a share of the box");
+      table.real("step", step, 1e-9, 0.5, "first step of a local search, as a fraction of the box");
     if (algorithm->population)
-      table.integer("population", population, 0, 1000000, "points in a generation; 0: the library's choice");
+      table.integer("population", population, 0, 1000000, "points in a generation; 0: the library decides");
     if (algorithm->sublocal) bind_sublocal(table);
     if (algorithm->gradient() && algorithm->local()) graduation.bind(table);
     else if (gradient() || algorithm->sublocal)
@@ -42,7 +42,7 @@ struct NloptOptions {
 
   void bind_sublocal(Parameters& table) {
     table.custom(
-        "local", "an algorithm LN_... or LD_... of this family, LN_NELDERMEAD for one",
+        "local", "an algorithm LN_... or LD_... of this family, such as LN_NELDERMEAD",
         [this](const Json& value) {
           const auto named =
               std::ranges::find_if(kNloptAlgorithms, [&](const auto& a) { return a.local() && value == a.name; });
@@ -54,8 +54,8 @@ struct NloptOptions {
   }
 };
 
-/// What the library sees: a function of three numbers. Nothing is evaluated past the allowance,
-/// where some algorithms go on to ask.
+/// The objective as NLopt sees it: a function of three numbers. Some algorithms go on asking after the allowance is
+/// spent; they are answered without an evaluation.
 class Task {
  public:
   Task(Evaluator& evaluator, const Domain& domain, const Allowance& allowance)
@@ -66,13 +66,13 @@ class Task {
     opt.set_min_objective(&Task::call, this);
   }
 
-  /// From now on the smooth surrogate of this width, with gradients.
+  /// From now on answers with the smooth surrogate of this width, and with its gradients.
   void smooth(double width) {
     width_ = width;
     least_ = std::numeric_limits<double>::infinity();
   }
 
-  /// Asks for the objective where the surrogate was least, and returns that point, if there is one.
+  /// Evaluates the objective where the surrogate was least; returns that point, if there is one.
   std::optional<Eigen::Vector3d> settle() {
     if (least_ == std::numeric_limits<double>::infinity()) return std::nullopt;
     evaluator_.value(domain_.rotation(best_));
@@ -86,12 +86,12 @@ class Task {
 
   double at(const Eigen::Vector3d& x, double* gradient) {
     if (gradient) std::fill_n(gradient, 3, 0.0);
-    // The surrogate leaves one evaluation for settle().
+    // One evaluation is kept for settle().
     if (allowance_.spent(width_ ? Costs::kPerSmooth + Costs::kPerValue : Costs::kPerValue)) {
       opt_->force_stop();
       return kBeyond;
     }
-    if (!x.allFinite()) return kBeyond;  // PRAXIS may ask for it
+    if (!x.allFinite()) return kBeyond;  // PRAXIS may ask for such a point
     return width_ ? smooth_at(x, gradient) : evaluator_.value(domain_.rotation(x));
   }
 
@@ -99,7 +99,8 @@ class Task {
     const SmoothValue smooth = evaluator_.smooth(domain_.rotation(x), *width_);
     if (smooth.value < least_) least_ = smooth.value, best_ = x;
     for (int i = 0; gradient && i < 3; ++i) {
-      // Central differences of the domain, not of the objective: they cost nothing and err by h^2.
+      // Central differences of the map from the domain to rotations, not of the objective: they cost no evaluations and
+      // err by h^2 only.
       constexpr double h = 1e-5;
       const Eigen::Vector3d d = h * Eigen::Vector3d::Unit(i);
       const Eigen::Matrix3d slope = (domain_.rotation(x + d).matrix() - domain_.rotation(x - d).matrix()) / (2 * h);
@@ -164,7 +165,7 @@ class NloptSearch : public OptimizerWith<NloptOptions> {
     }
   }
 
-  /// The objective is asked for when a search has ended, so there has to be an end before the time
+  /// The objective is evaluated only when a search of the surrogate has ended, so a search must end before the time
   /// is over.
   void search_surrogate(Task& task, const Allowance& allowance, const Eigen::Vector3d& start, const Domain& domain,
                         const Evaluator& evaluator) const {
@@ -179,8 +180,7 @@ class NloptSearch : public OptimizerWith<NloptOptions> {
   void minimise(Task& task, std::uint64_t calls, const Eigen::Vector3d& start, const Domain& domain,
                 const Evaluator& evaluator) const {
     if (calls == 0 || evaluator.exhausted()) return;
-    // An nlopt::opt must not be copied once it has its objective: the copy would report to the
-    // original.
+    // An nlopt::opt must not be copied once it has its objective: the copy would pass evaluations on to the original.
     nlopt::opt opt(options_.algorithm->id, 3);
     set_limits(opt, calls, evaluator);
     opt.set_lower_bounds(list(domain.lower()));
@@ -200,12 +200,12 @@ class NloptSearch : public OptimizerWith<NloptOptions> {
     try {
       opt.optimize(x, value);
     } catch (const std::runtime_error&) {
-      // Several algorithms end so, by rounding or by the forced stop; the evaluator holds what they
-      // found.
+      // Several algorithms end with such an exception, because of rounding or of force_stop(); the evaluator holds what
+      // they found.
     }
   }
 
-  /// Some algorithms go on asking after force_stop(), so they are told of the limits, too.
+  /// Some algorithms ignore force_stop(), so the limits are set as well.
   void set_limits(nlopt::opt& opt, std::uint64_t calls, const Evaluator& evaluator) const {
     opt.set_xtol_abs(options_.tolerance);
     if (evaluator.budget().limits_seconds()) opt.set_maxtime(std::max(1e-9, evaluator.seconds_left()));

@@ -1,4 +1,4 @@
-// pagmo behind the interface of an optimizer.
+// pagmo as an optimizer of this project.
 #include <algorithm>
 #include <optional>
 #include <pagmo/algorithm.hpp>
@@ -26,7 +26,7 @@
 namespace rectilin {
 namespace {
 
-/// What an algorithm is built from, besides its own defaults.
+/// What an algorithm is built from; everything else has pagmo's defaults.
 struct Plan {
   unsigned generations;
   unsigned population;
@@ -37,7 +37,7 @@ struct Plan {
 struct PagmoAlgorithm {
   const char* name;
   const char* help;
-  int population;  ///< default
+  int population;  ///< the default size
   pagmo::algorithm (*make)(const Plan&);
   bool local = false;
 };
@@ -45,7 +45,7 @@ struct PagmoAlgorithm {
 constexpr PagmoAlgorithm kAlgorithms[] = {
     {"gaco", "ant colony (Schlueter et al. 2009)", 63,
      [](const Plan& p) {
-       constexpr unsigned kNever = 4000000000u;  // its own limits on evaluations
+       constexpr unsigned kNever = 4000000000u;  // its own limits on evaluations: never reached
        return pagmo::algorithm(
            pagmo::gaco(p.generations, std::min(63u, p.population), 1, 0, 0.01, 1, 7, kNever, kNever, 0, false, p.seed));
      }},
@@ -81,9 +81,9 @@ constexpr PagmoAlgorithm kAlgorithms[] = {
      }},
     {"simulated_annealing", "simulated annealing (Corana et al. 1987)", 1,
      [](const Plan& p) {
-       constexpr unsigned kBin = 10, kMoves = 3 * kBin;  // three coordinates in turn
-       // The defaults suit values of the order of ten; those of this objective differ by
-       // hundredths.
+       constexpr unsigned kBin = 10, kMoves = 3 * kBin;  // one coordinate after another, three in all
+       // pagmo's default temperatures suit values of the order of ten; the values of this objective differ
+       // by hundredths.
        return pagmo::algorithm(
            pagmo::simulated_annealing(0.05, 1e-8, std::max(1u, p.evaluations / kMoves), 1, kBin, 0.5, p.seed));
      }},
@@ -108,14 +108,14 @@ struct PagmoOptions {
     if (population == 1) return;
     table.integer("population", population, 8, 1000000, "individuals")
         .integer("generations", generations, 0, 1000000000,
-                 "generations of a population; 0: as many as there is budget for");
+                 "generations of a population; 0: as many as the budget allows");
   }
 };
 
-/// Thrown through the library when the allowance is spent.
+/// Thrown when the allowance is spent, to leave the library's loops.
 struct Spent {};
 
-/// What the library sees: a problem it may copy.
+/// The objective as pagmo sees it: a problem that may be copied.
 struct BoxProblem {
   Evaluator* evaluator = nullptr;
   const Domain* domain = nullptr;
@@ -139,7 +139,7 @@ class PagmoSearch : public OptimizerWith<PagmoOptions> {
   std::string name() const override { return "pagmo:" + std::string(options_.algorithm->name); }
   Capabilities capabilities() const override { return {.local = options_.algorithm->local}; }
 
-  /// A population that has converged makes room for a new one, as long as there is budget.
+  /// A population that has converged is replaced by a new one, as long as the budget lasts.
   void run(Evaluator& evaluator, const Domain& domain, Random& random) const override {
     const Allowance allowance(evaluator, options_.evaluations);
     std::optional<Rotation> start;
@@ -149,7 +149,7 @@ class PagmoSearch : public OptimizerWith<PagmoOptions> {
   }
 
  protected:
-  /// One population. The library lays out its schedules for `length` evaluations.
+  /// Evolves one population. pagmo plans its schedules for `length` evaluations.
   void evolve(const BoxProblem& problem, std::uint64_t length, const std::optional<Rotation>& start,
               Random& random) const {
     const auto left = static_cast<unsigned>(std::min<std::uint64_t>(length, 1000000000));

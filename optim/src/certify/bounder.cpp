@@ -37,8 +37,8 @@ void Bounder::describe(Cell& cell, const Corners& corners, const Strategies& str
     cell.model += greatest;
   }
 
-  // Halving an edge of half length e halves the mixture's slope along it, and a quarter of the curvature's loss
-  // is left, which is 4/3 value e^2: the corner matrices' convex hull is that far from the rotations.
+  // Halving an edge of half length e halves the slope of the mixture along it, and leaves a quarter of the loss by
+  // curvature, which is 4/3 value e^2: the convex hull of the matrices at the corners is that far from the rotations.
   const Eigen::Vector3d e = cell.box.half_edges();
   for (int i = 0; i < 3; ++i)
     cell.spread[i] =

@@ -1,4 +1,4 @@
-// From cuts to a cell's bound.
+// Computes a cell's bound from its cuts.
 #pragma once
 
 #include "certify/cell.h"
@@ -6,14 +6,14 @@
 
 namespace rectilin::certification {
 
-/// Bounds cells with the cuts in their bundles. Reads the table only: many threads may share one.
+/// Bounds cells with the cuts in their bundles. It only reads the table, so threads can share one.
 class Bounder {
  public:
   explicit Bounder(const CutTable& table) : table_(table) {}
 
-  /// Raises the cell's bound, as far as `enough`, and returns the weights that prove it. If that is still not
-  /// `enough`, finds the model's low point, ranks the edges by what halving them may gain, and moves useful
-  /// cuts to the front.
+  /// Raises the cell's bound as far as possible, but no further than `enough`, and returns the weights that prove it.
+  /// If the bound is still below `enough`, it also finds the minimum of the model, ranks the edges by what halving them
+  /// may gain, and moves useful cuts to the front of the bundles.
   PerCut<double> raise(Cell& cell, double enough) const;
 
  private:

@@ -1,4 +1,4 @@
-// Boxes of Rodrigues vectors, the cells of the search, and the rotations at their corners.
+// Boxes of Rodrigues vectors, which the search divides, and the rotations at their corners.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,10 +10,10 @@
 
 namespace rectilin::certification {
 
-/// A number for each corner of a box. Bit i of the corner's index says which end it has on axis i.
+/// A number for each corner of a box. Bit i of the corner's index says at which end of axis i it is.
 using Array8 = Eigen::Array<double, 8, 1>;
 
-/// -1 or 1 by the end that each corner has on an axis.
+/// For each axis: -1 or 1 for each corner, by the end of the axis at which it is.
 inline const std::array<Array8, 3> kCornerSigns = [] {
   std::array<Array8, 3> signs;
   for (int axis = 0; axis < 3; ++axis)
@@ -24,21 +24,21 @@ inline const std::array<Array8, 3> kCornerSigns = [] {
 struct Box {
   Eigen::Vector3d lower, upper;
 
-  /// The cube about the cubic fundamental zone: it holds every frame (see zone_domain()).
+  /// The cube around the cubic fundamental zone, which holds every frame (see zone_domain()).
   static Box zone() { return {Eigen::Vector3d::Constant(-kZoneHalfEdge), Eigen::Vector3d::Constant(kZoneHalfEdge)}; }
 
   Eigen::Vector3d centre() const { return 0.5 * (lower + upper); }
   Eigen::Vector3d half_edges() const { return 0.5 * (upper - lower); }
 
-  /// The lower (0) or upper (1) half across an axis. Both halves share the middle bit for bit, so no rounding
-  /// opens a gap between them.
+  /// The lower (0) or upper (1) half across an axis. Both halves have the same middle, bit for bit, so rounding leaves
+  /// no gap between them.
   Box half(int axis, int side) const {
     Box box = *this;
     (side == 0 ? box.upper : box.lower)[axis] = 0.5 * (lower[axis] + upper[axis]);
     return box;
   }
 
-  /// Might it hold a point of the zone, |rho|_1 <= 1? The margin is for the rounding of the sum.
+  /// Can the box hold a point of the zone, |rho|_1 <= 1? The margin allows for the rounding of the sum.
   bool meets_zone() const { return lower.cwiseMax(-upper).cwiseMax(0).sum() <= 1 + 1e-15; }
 
   Array8 coordinate(int axis) const {
@@ -48,7 +48,7 @@ struct Box {
   }
 };
 
-/// The eight corners side by side: coordinates, 1 + |rho|^2, and the entries of the rotation matrices, row by row.
+/// The eight corners as arrays: coordinates, 1 + |rho|^2, and the entries of the rotation matrices row by row.
 struct Corners {
   explicit Corners(const Box& box) {
     for (int i = 0; i < 3; ++i) rho[i] = box.coordinate(i);
@@ -67,7 +67,7 @@ struct Corners {
     entry[7] = (y * z + x) * twice;
   }
 
-  /// The linear function `slope` of row k, at every corner.
+  /// The product `slope` . (row k of the rotation), at every corner.
   Array8 along(int k, const Eigen::Vector3d& slope) const {
     return slope[0] * entry[3 * k] + slope[1] * entry[3 * k + 1] + slope[2] * entry[3 * k + 2];
   }

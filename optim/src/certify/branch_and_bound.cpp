@@ -10,23 +10,23 @@
 namespace rectilin::certification {
 namespace {
 
-/// How far each Rodrigues component of the rotations asked for is off the model's minima, at most, and in units of the
-/// gap. These minima tend to have faces parallel to axes to the last bit, where the signs in a cut are rounding noise;
-/// a little off, they are the same for everyone who recomputes the cut.
+/// How far the rotations at which cuts are taken are moved off the minima of the model, in each Rodrigues component, at
+/// most and in units of the gap. At such a minimum faces tend to be parallel to axes to the last bit, so the signs in
+/// the cut would be rounding noise. A little off they are the same for everyone who computes the cut again.
 constexpr double kJitter = 1e-8, kLeastJitter = 1e-15, kJitterPerGap = 0.01;
 
-constexpr std::size_t kOpenPerRound = 16, kGrowth = 16;  // a round takes a 16th of the open cells, up to 16 batches
-constexpr int kRetries = 3;                              // times new cuts may be tried before a cell is halved
+constexpr std::size_t kOpenPerRound = 16, kGrowth = 16;  // a round takes 1/16 of the open cells, but at most 16 batches
+constexpr int kRetries = 3;                              // how often new cuts may be tried before a cell is halved
 constexpr std::uint64_t kCellsBeforeBalls = 100;
-constexpr std::uint64_t kGeneratorsPerCell = 100;  // looked at for a ball in about the time of a cell, or less
+constexpr std::uint64_t kGeneratorsPerCell = 100;  // a ball looks at this many generators in at most the time of a cell
 
-constexpr std::uint64_t kCellsBeforeFloors = 5000;  // by then the incumbent tells how flat it is
-constexpr double kProofMargin = 4e-12;              // floors are lowered by that for those who sum in another order
-constexpr double kProofWider = 0.01;                // and so are sweeps: others may find them a little larger
-// What floors cost, in cells.
+constexpr std::uint64_t kCellsBeforeFloors = 5000;  // by then the incumbent shows how flat the landscape is
+constexpr double kProofMargin = 4e-12;  // floors in proofs are lowered by this: a checker sums in another order
+constexpr double kProofWider = 0.01;    // and sweeps widened by this: a checker may find them a little larger
+// Floors cost as much as this many cells, fixed and for each generator.
 constexpr double kManyCells = 1e5, kCellsPerGenerator = 20;
 
-/// Neighbouring numbers between which the merit, which falls as values grow, falls to `target`.
+/// Two neighbouring numbers between which the merit, which falls as the value grows, passes `target`.
 struct Passage {
   double low, high;
 
@@ -95,7 +95,7 @@ bool BranchAndBound::stopped() const {
 }
 
 void BranchAndBound::take_round() {
-  // With many cells open, which of them come first matters less than threads at work.
+  // When many cells are open, it matters less which of them come first than that all threads have work.
   const std::size_t batch = static_cast<std::size_t>(options_.batch);
   const std::size_t most = std::clamp(heap_.size() / kOpenPerRound, batch, kGrowth * batch);
   round_.clear();
@@ -106,7 +106,7 @@ void BranchAndBound::take_round() {
         settle(cell, {});
         continue;
       }
-      cell.bound = facts_.floor;  // the bound may be that of a larger cell: the proof needs weights for this one
+      cell.bound = facts_.floor;  // the bound may come from a larger cell; the proof needs weights for this one
       const Reason reason = raise(cell);
       if (cell.bound >= enough_) {
         settle(cell, reason);
@@ -118,8 +118,8 @@ void BranchAndBound::take_round() {
   }
 }
 
-/// Takes cuts at the low points of the cells whose model is too low there, where nothing but a cut can help. Returns
-/// false if the budget ends first.
+/// Takes new cuts at the minima of the models of those cells whose model is too low there: only a new cut can help
+/// them. Returns false if the budget ends first.
 bool BranchAndBound::evaluate_round() {
   const double before = evaluator_.incumbent().value;
   const double jitter = std::clamp(kJitterPerGap * options_.gap, kLeastJitter, kJitter);
@@ -153,9 +153,9 @@ void BranchAndBound::improve_incumbent(std::span<const Rotation> rotations, std:
 
 void BranchAndBound::update_cutoff() {
   if (!evaluator_.has_incumbent()) return;
-  // From the incumbent's value as it may be without rounding: the interval is narrow enough when stated outwards.
-  // But no bound computed at the incumbent itself is higher than its value less rounding: to ask for more would never
-  // end.
+  // The goal is measured from the incumbent's value without its possible rounding error, so that the interval is narrow
+  // enough once it is stated with all rounding. But no bound computed at the incumbent can exceed its value less
+  // rounding: asking for more would never end.
   const double value = evaluator_.incumbent().value;
   cutoff_ =
       std::min(cutoff_value(evaluator_.objective(), value + 3 * facts_.error, options_.gap), value - 3 * allowance_);
@@ -165,7 +165,7 @@ void BranchAndBound::update_cutoff() {
 
 void BranchAndBound::update_balls() {
   if (balls_are_current_ || !options_.balls || proof_ || generators_.size() == 0) return;
-  // So that balls never take more than a part of the time; the ones from before hold all along.
+  // Balls may only take a part of the time. The earlier ones remain valid.
   if (result_.cells - cells_at_balls_ < std::max(kCellsBeforeBalls, generators_.size() / kGeneratorsPerCell)) return;
   balls_are_current_ = true;
   cells_at_balls_ = result_.cells;
@@ -175,10 +175,10 @@ void BranchAndBound::update_balls() {
   least_settled_ = std::min(least_settled_, enough_);
 }
 
-/// Minorants on the sphere pay where the whole landscape is flat. The mean of the objective over all rotations is 3/2
-/// of the generators' lengths (the paper's eq. 24); with the best value a fraction d below that, about
-/// 6.5 d^(-3/2) cells are needed, or as many for the gap if that is larger: so many small balls of the size at which a
-/// cell's curvature hides d fill the zone. Measured on meshes with d from 0.00005 to 0.03.
+/// Bounds of h on the sphere pay off where the whole landscape is flat. The mean of the objective over all rotations is
+/// 3/2 of the sum of the generators' lengths (the paper's eq. 24). If the best value is a fraction d below that (or if
+/// the gap is d, whichever is larger), about 6.5 d^(-3/2) cells are needed: that many small balls, in each of which the
+/// curvature of a cell costs d, fill the zone. Measured on meshes with d from 0.00005 to 0.03.
 bool BranchAndBound::is_flat() const {
   double mean = 0;
   for (std::size_t i = 0; i < generators_.size(); ++i) mean += 1.5 * generators_[i].norm();
@@ -197,7 +197,7 @@ void BranchAndBound::update_floors() {
 }
 
 void BranchAndBound::expand(Slot& slot) const {
-  // A better incumbent since it was taken: as in take_round(), the proof needs weights for this very cell.
+  // There is a better incumbent since the cell was taken. As in take_round(), the proof needs weights for this cell.
   if (proof_ && slot.cell.bound >= enough_) slot.cell.bound = facts_.floor;
   if (slot.cuts) {
     for (std::uint32_t k = 0; k < 3; ++k) slot.cell.bundles[k].add(*slot.cuts + k, options_.bundle);
@@ -207,7 +207,7 @@ void BranchAndBound::expand(Slot& slot) const {
       slot.state = Slot::State::kDone;
       return;
     }
-    // More cuts while they pay.
+    // Try more cuts as long as they gain enough.
     if (slot.cell.retries < kRetries && slot.cell.bound - before > 0.5 * (enough_ - before)) {
       ++slot.cell.retries;
       return;
@@ -219,7 +219,7 @@ void BranchAndBound::expand(Slot& slot) const {
 
 void BranchAndBound::halve(Slot& slot) const {
   const Cell& cell = slot.cell;
-  for (int i = 1; i < 3; ++i)  // ties, but for rounding, go to the first axis
+  for (int i = 1; i < 3; ++i)  // near ties go to the first axis, whatever the rounding
     if (cell.spread[i] > 1.0001f * cell.spread[slot.axis]) slot.axis = i;
   for (int side = 0; side < 2; ++side) {
     Part& part = slot.parts[side];
@@ -274,13 +274,14 @@ void BranchAndBound::settle(Cell& cell, const Reason& reason) {
   else proof_->set_leaf(cell.node, cell.bundles, reason.weight);
 }
 
-/// What a run that was stopped leaves open become leaves too, of the proof of a lesser bound.
+/// Makes the cells that a stopped run leaves open leaves as well, of a proof of a lower bound.
 void BranchAndBound::settle_open_cells() {
   double least = least_settled_;
   while (!heap_.empty()) {
     Cell cell = heap_.pop();
-    cell.bound = -std::numeric_limits<double>::infinity();  // that of these cuts on this cell counts, nothing inherited
-    if (cell.bundles[0].size == 0) return;                  // not even the first cuts were taken
+    cell.bound =
+        -std::numeric_limits<double>::infinity();  // only what these cuts prove on this cell counts, nothing inherited
+    if (cell.bundles[0].size == 0) return;         // the run was stopped before the first cuts
     const std::array<Cell::Bundle, 3> bundles = cell.bundles;  // raise() may reorder them
     const PerCut<double> weight = bounder_.raise(cell, enough_);
     proof_->set_leaf(cell.node, bundles, weight);
@@ -289,7 +290,7 @@ void BranchAndBound::settle_open_cells() {
   proof_->set_bound(least - allowance_);
 }
 
-/// Publishes the bound that holds now.
+/// Tells the evaluator the bound proved so far.
 void BranchAndBound::report() {
   evaluator_.note_parts_bounded(result_.cells);
   const double value = evaluator_.incumbent().value;

@@ -1,4 +1,4 @@
-// The search itself: rounds of cells, from the heap and back.
+// The branch and bound search: takes rounds of cells from the heap and puts their halves back.
 #pragma once
 
 #include <memory>
@@ -15,26 +15,27 @@
 
 namespace rectilin::certification {
 
-/// The least value of the objective whose merit is within `gap` of that of `value`.
+/// The least value of the objective whose merit is within `gap` of the merit of `value`.
 double cutoff_value(const Objective& objective, double value, double gap);
 
-/// The largest such value; infinite if all are.
+/// The largest such value; infinite if every larger value qualifies.
 double threshold_value(const Objective& objective, double value, double gap);
 
-/// What is known of rounding, in the units of the objective: a bound that was computed may be too high by that much.
+/// The rounding error of a computed bound, in units of the objective: the true bound may be lower by this much.
 double rounding_allowance(const CutBounds& bounds);
 
-/// One run. A round takes the cells of least bound, evaluates their cuts in one batch, works on them in parallel, each
-/// into a slot of its own, and merges the slots in order: the result does not depend on the number of threads.
+/// One run. A round takes the cells with the least bounds, takes the cuts that they need in one batch, works on the
+/// cells in parallel, each with a slot of its own for results, and merges the slots in order. So the result does not
+/// depend on the number of threads.
 class BranchAndBound {
  public:
-  /// `proof` may be null; all others must outlive the object.
+  /// `proof` may be null. The references must outlive the object.
   BranchAndBound(Evaluator& evaluator, const CertifyOptions& options, ProofTree* proof);
 
   CertifyResult run();
 
  private:
-  /// What proves a cell's bound, once that is enough: cuts with these weights or, if there are some, floors.
+  /// What proves a cell's bound once it is high enough: these weights of its cuts or, if set, floors.
   struct Reason {
     PerCut<double> weight = {};
     std::optional<std::array<double, 3>> floors = {};
@@ -45,7 +46,7 @@ class BranchAndBound {
     enum class State { kOpen, kDone, kOutside, kInBall };
     State state = State::kOpen;
     Cell cell;
-    Reason reason;  // if done
+    Reason reason;  // set if the part is done
   };
 
   /// A cell of the round, and what becomes of it.
@@ -53,7 +54,7 @@ class BranchAndBound {
     enum class State { kAgain, kDone, kHalved };
     State state = State::kAgain;
     Cell cell;
-    std::optional<std::uint32_t> cuts;  // the first of the three new ones, if it asked for some
+    std::optional<std::uint32_t> cuts;  // index of the first of its three new cuts, if it asked for some
     Reason reason;
     int axis = 0;
     std::array<Part, 2> parts;
@@ -88,13 +89,14 @@ class BranchAndBound {
   std::vector<Slot> round_;
   Balls balls_;
   bool balls_are_current_ = false;
-  std::uint64_t cells_at_balls_ = 0;  // when they were last made
+  std::uint64_t cells_at_balls_ = 0;  // number of cells when balls were last made
   std::unique_ptr<SupportFloor> floors_;
   bool flatness_is_known_ = false;
   Random jitter_{1};
 
-  double cutoff_ = std::numeric_limits<double>::infinity();         // certified this high, the gap is closed
-  double enough_ = std::numeric_limits<double>::infinity();         // cutoff and allowance: cells are done here
+  double cutoff_ = std::numeric_limits<double>::infinity();  // a bound this high closes the gap
+  double enough_ =
+      std::numeric_limits<double>::infinity();  // cutoff plus allowance for rounding: cells with this bound are done
   double least_settled_ = std::numeric_limits<double>::infinity();  // least bound of a cell that was done
   CertifyResult result_;
 };

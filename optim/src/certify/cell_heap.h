@@ -1,4 +1,4 @@
-// The cells that are open.
+// The cells that are still open.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace rectilin::certification {
 
-/// A priority queue, least bound first. The heap holds handles: cells are large, and stay where they are.
+/// A priority queue, least bound first. The heap holds handles, because cells are large; they do not move.
 class CellHeap {
  public:
   bool empty() const { return heap_.empty(); }

@@ -7,7 +7,7 @@ namespace {
 
 Json to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-/// [[direction, weight, direction, weight, ...], ...], one list an axis.
+/// One list for each axis: [[direction, weight, direction, weight, ...], ...].
 Json to_json(const Certificate::Leaf& leaf) {
   Json axes = Json::array();
   for (const auto& terms : leaf.axes) {

@@ -9,14 +9,14 @@ namespace rectilin {
 
 void CertifyOptions::bind(Parameters& table) {
   table.real("gap", gap, 0, 10, "stop when the merit is known to within this")
-      .integer("cells", cells, 0, 2'000'000'000, "stop after so many boxes of rotations; 0: no limit")
-      .real("seconds", seconds, 0, 1e9, "stop after so much time; 0: no limit")
-      .integer("batch", batch, 1, 100'000, "boxes a round, or more where many are open")
-      .integer("bundle", bundle, 1, certification::Cell::kMaxBundle, "cuts kept on each axis of a box")
+      .integer("cells", cells, 0, 2'000'000'000, "stop after this many boxes of rotations; 0: no limit")
+      .real("seconds", seconds, 0, 1e9, "stop after this time; 0: no limit")
+      .integer("batch", batch, 1, 100'000, "boxes in a round; more if many are open")
+      .integer("bundle", bundle, 1, certification::Cell::kMaxBundle, "cuts kept for each axis of a box")
       .integer("descent", descent, 0, 1000, "steps of the local search from each better rotation")
-      .flag("balls", balls, "certified balls round the incumbent")
-      .flag("floors", floors, "bounds of h where the axes point to when there are many boxes")
-      .flag("polish", polish, "solve for the frame at which faces are parallel to axes")
+      .flag("balls", balls, "exclude balls around the incumbent in which nothing is better")
+      .flag("floors", floors, "where boxes get too many, bound h where their axes point to")
+      .flag("polish", polish, "at the end solve for the exact frame with faces parallel to axes")
       .flag("optima", optima, "find all frames within the gap");
 }
 
@@ -25,7 +25,8 @@ namespace {
 Certificate certificate_of(const certification::ProofTree& proof, const CertifyResult& result, const CutBounds& facts) {
   Certificate certificate;
   certificate.tree = "f";
-  // Whoever recomputes the leaves' bounds rounds differently, so the claim is a little less than what was proved.
+  // A checker that computes the bounds of the leaves again rounds differently, so the certificate claims a little less
+  // than was proved.
   const double claim = std::min(result.lower, proof.bound()) - certification::rounding_allowance(facts);
   certificate.lower = facts.floor;
   if (claim > facts.floor) {

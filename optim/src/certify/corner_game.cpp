@@ -3,10 +3,10 @@
 namespace rectilin::certification {
 namespace {
 
-/// Dictionary simplex (Chvatal 1983, ch. 2-3): basic variables are affine in the nonbasic ones. A column holds
-/// the coefficients of one nonbasic variable, or the constants; rows 0-7 belong to the corners, 8-10 to the axes.
-/// Corner c's variable is its slack over the game's value L; the row of one corner holds L itself, which
-/// never leaves the basis. Starting from pure strategies every dictionary is feasible.
+/// The simplex method with dictionaries (Chvatal 1983, ch. 2-3): basic variables are affine functions of the nonbasic
+/// ones. A column holds the coefficients of one nonbasic variable, or the constants; rows 0-7 belong to the corners,
+/// 8-10 to the axes. The variable of corner c is its slack over the value L of the game; the row of one corner holds L
+/// itself, which never leaves the basis. Since it starts from pure strategies, every dictionary is feasible.
 class Dictionary {
  public:
   explicit Dictionary(const CornerGame& game) : game_(game) {
@@ -59,11 +59,12 @@ class Dictionary {
   }
 
  private:
-  using Column = Eigen::Array<double, 12, 1>;  // the last row pads
+  using Column = Eigen::Array<double, 12, 1>;  // the last row is padding
   using Rest = Eigen::Array<double, 4, 1>;
 
   static constexpr int kMaxSteps = 40;
-  static constexpr int kSlack = 100, kValue = 200;  // names: weights are 16 axis + cut, slacks kSlack + corner
+  static constexpr int kSlack = 100,
+                       kValue = 200;  // numbers of variables: weights 16 axis + cut, slacks kSlack + corner
 
   void set_up_columns() {
     for (int c = 0; c < 8; ++c) basic_[c] = kSlack + c;
@@ -124,7 +125,7 @@ class Dictionary {
     std::swap(basic_[row], name_[entering]);
   }
 
-  /// Rounding may leave the weights slightly off; the value is that of the weights as they are in the end.
+  /// Rounding may leave the weights slightly off. They are corrected, and the value is computed from the final weights.
   void normalise(Strategies& s) const {
     Array8 payoff = Array8::Zero();
     for (int k = 0; k < 3; ++k) {

@@ -1,4 +1,4 @@
-// The best mixture of cuts for a box: a small linear programme.
+// The best mixture of cuts for a box, found by solving a small linear programme.
 #pragma once
 
 #include <array>
@@ -7,13 +7,13 @@
 
 namespace rectilin::certification {
 
-/// Most cuts of one axis in a game.
+/// The largest number of cuts of one axis in a game.
 inline constexpr int kMaxCuts = 9;
 
 template <class T>
 using PerCut = std::array<std::array<T, kMaxCuts>, 3>;
 
-/// A game of two players: one mixes the cuts of each axis (three mixtures), the other mixes the box's corners; the
+/// A game of two players: one mixes the cuts of each axis (three mixtures), the other mixes the corners of the box. The
 /// payoff is the sum over the axes of the cut's value at the corner. Every axis has at least one cut.
 struct CornerGame {
   std::array<int, 3> size = {};
@@ -23,13 +23,13 @@ struct CornerGame {
 };
 
 struct Strategies {
-  PerCut<double> weight = {};  ///< of the cuts: nonnegative, sum 1 on each axis to rounding
+  PerCut<double> weight = {};  ///< weights of the cuts: nonnegative, adding up to 1 on each axis up to rounding
   Array8 corner;               ///< the other player's mixture
   double value = 0;            ///< the least payoff over the corners for these weights
 };
 
-/// Strategies that are optimal, or guarantee the first player `enough`. Any weights make a valid bound, so nothing
-/// depends on how well this does; rounding costs quality only.
+/// Strategies that are optimal, or that guarantee the first player `enough`. Any weights make a valid bound, so no
+/// proof depends on how well this does: rounding only makes bounds weaker.
 Strategies solve(const CornerGame& game, double enough);
 
 }  // namespace rectilin::certification

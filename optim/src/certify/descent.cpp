@@ -10,13 +10,13 @@ namespace {
 
 constexpr double kFirstRadius = 0.1, kLargestRadius = 0.2, kSmallestRadius = 1e-13;  // radians
 
-/// The cuts of each axis that the model keeps.
+/// The cuts of each axis that the model of the objective keeps.
 class Model {
  public:
   explicit Model(const Cut& cut) { add(cut, {}); }
 
-  /// The game of the cube of turns: to first order, turning the frame by t moves a cut g's value at the axis r by
-  /// t . (r x g).
+  /// The minimum of the model over a cube of turns, as a corner game: to first order, turning the frame by t changes
+  /// the value of a cut g at the axis r by t . (r x g).
   Strategies minimum(const Rotation& at, double radius) const {
     CornerGame game;
     for (int k = 0; k < 3; ++k)
@@ -28,7 +28,7 @@ class Model {
     return solve(game, std::numeric_limits<double>::infinity());
   }
 
-  /// Adds a cut; if room is short, those without weight go first.
+  /// Adds a cut; if there is no room, cuts without weight are dropped first.
   void add(const Cut& cut, const PerCut<double>& weight) {
     for (int k = 0; k < 3; ++k) {
       std::vector<Eigen::Vector3d> kept = {cut.gradient.row(k).transpose()};
@@ -56,7 +56,7 @@ Incumbent descend(Evaluator& evaluator, const Rotation& start, const Cut& cut, i
     if (!(promised > std::max(1e-14 * value, enough))) break;
     Eigen::Vector3d turn;
     for (int i = 0; i < 3; ++i) turn[i] = radius * (kCornerSigns[i] * best.corner).sum();
-    // The axes r turn to exp(turn) r, in the mesh's coordinates; the quaternion keeps the frame orthonormal.
+    // The axes r become exp(turn) r, in the mesh's coordinates. Going through a quaternion keeps the frame orthonormal.
     const Rotation next = Rotation::from_quaternion((at * rotation_from_vector(turn).inverse()).quaternion());
     const Cut there = evaluator.cut(next);
     model.add(there, best.weight);

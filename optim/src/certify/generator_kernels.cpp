@@ -1,4 +1,4 @@
-// foreach_target.h includes this file again for every instruction set and has to come first.
+// foreach_target.h includes this file again for each instruction set and has to come first.
 // clang-format off
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "certify/generator_kernels.cpp"
@@ -53,7 +53,7 @@ std::size_t copy_unsettled(const GeneratorSpan& g, const Triangle3& corners, con
     const V at_p = p.dot(a, b, c), at_q = q.dot(a, b, c), at_r = r.dot(a, b, c);
     const V least = hn::Min(at_p, hn::Min(at_q, at_r)), most = hn::Max(at_p, hn::Max(at_q, at_r));
     const auto below = hn::Lt(least, zero), mixed = hn::And(below, hn::Gt(most, zero));
-    const V sign = hn::IfThenElseZero(below, sign_bit);  // not the bit of `least`, which may be -0
+    const V sign = hn::IfThenElseZero(below, sign_bit);  // not the sign of `least` itself, which may be -0
     x = hn::Add(x, hn::IfThenZeroElse(mixed, hn::Xor(a, sign)));
     y = hn::Add(y, hn::IfThenZeroElse(mixed, hn::Xor(b, sign)));
     z = hn::Add(z, hn::IfThenZeroElse(mixed, hn::Xor(c, sign)));

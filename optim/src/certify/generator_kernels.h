@@ -8,7 +8,7 @@
 
 namespace rectilin::certification {
 
-/// Numbers of generators are rounded up to a multiple of this; zeros fill the rest.
+/// Numbers of generators are rounded up to a multiple of this; the rest is filled with zeros.
 inline constexpr std::size_t kGeneratorLanes = 8;
 
 struct GeneratorSpan {
@@ -17,14 +17,14 @@ struct GeneratorSpan {
 };
 
 struct GeneratorOutput {
-  double *x, *y, *z;  // room for everything that is read, and kGeneratorLanes more
+  double *x, *y, *z;  // with room for all the input and kGeneratorLanes more
 };
 
 /// sum sign(u . v_i) v_i
 Eigen::Vector3d signed_sum(const GeneratorSpan& generators, const Eigen::Vector3d& u);
 
-/// Copies those whose products with the corners differ in sign, counts them, and adds the signed sum of the others to
-/// `settled`.
+/// Copies the generators whose products with the corners do not all have one sign, returns their number, and adds the
+/// signed sum of the others to `settled`.
 std::size_t copy_unsettled(const GeneratorSpan& generators, const Triangle3& corners, const GeneratorOutput& out,
                            Eigen::Vector3d& settled);
 

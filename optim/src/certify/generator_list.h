@@ -1,4 +1,4 @@
-// Sums over the faces that matter in a small part of the sphere.
+// Sums over the generators that matter in a small part of the sphere.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,9 @@
 
 namespace rectilin::certification {
 
-/// Vectors v_i whose great circles u . v_i = 0 may meet some region of the sphere, as a structure of arrays,
-/// padded with zeros. The other faces have one sign all over the region: their part of h is linear.
+/// The generators v_i whose great circles u . v_i = 0 may meet some region of the sphere, as a structure of arrays,
+/// padded with zeros. For every other generator u . v_i has the same sign all over the region, so that its part of h is
+/// linear there.
 class GeneratorList {
  public:
   GeneratorList() = default;
@@ -20,11 +21,11 @@ class GeneratorList {
   /// sum sign(u . v_i) v_i
   Eigen::Vector3d cut(const Eigen::Vector3d& u) const;
 
-  /// Puts into `active` the faces that do not have one sign at all corners of the triangle, and returns
-  /// the signed sum of the others.
+  /// Puts the generators whose products with the corners of the triangle do not all have one sign into `active`, and
+  /// returns the signed sum of the others.
   Eigen::Vector3d split(const Triangle3& corners, GeneratorList& active) const;
 
-  /// A copy that takes no more room than it needs.
+  /// A copy that uses no more memory than it needs.
   GeneratorList compact() const;
 
  private:

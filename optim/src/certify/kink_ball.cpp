@@ -8,23 +8,25 @@
 namespace rectilin::certification {
 namespace {
 
-/// Faces this near to parallel (radians) may be given free signs. One that is only nearly parallel costs its
+/// Generators this close to orthogonal to an axis (radians) may be given free signs. One that is not exactly orthogonal
+/// costs its |r . v|, so the largest tolerance need not give the largest ball.
 /// |r . v|, so the largest tolerance need not give the largest ball.
 constexpr double kBallTolerances[] = {1e-12, 1e-10, 1e-8, 1e-6, 1e-4};
 constexpr std::size_t kMostFree = 200, kMostSummands = 24;
 
-/// Rounding of half an angle's cosine as Balls computes it: of quaternions, products of four terms, roots.
+/// Rounding error of the cosine of half an angle as Balls computes it: of quaternions, products of four terms, roots.
 constexpr double kCosineRounding = 0x1p-48;
 
-/// A face nearly parallel to axis k, with the sign that makes r_k . v nonnegative.
+/// A generator v nearly orthogonal to axis k (its face is nearly parallel to the axis), with the sign that makes r_k .
+/// v nonnegative.
 struct FreeGenerator {
-  double angle;    // to being parallel
+  double angle;    // from being orthogonal
   double product;  // r_k . v
   int axis;
   Eigen::Vector3d v;
 };
 
-/// Free faces whose moments are parallel, as one: they take one common sign.
+/// Free generators whose moments are parallel, merged into one: they take a common sign.
 struct Summand {
   Eigen::Vector3d moment;  // sum of r x v
   Eigen::Matrix3d form;    // sum of r v^T
@@ -32,10 +34,10 @@ struct Summand {
 
 using Extended = Eigen::Matrix<long double, 3, 1>;
 
-/// Sorts the faces at a frame into those with a sign and those that may be free, in one pass.
+/// Divides the generators at a frame, in one pass, into those whose sign is fixed and those that may be free.
 struct Split {
   std::array<Extended, 3> settled = {Extended::Zero(), Extended::Zero(), Extended::Zero()};
-  std::vector<FreeGenerator> free;  // nearest to parallel first
+  std::vector<FreeGenerator> free;  // nearest to orthogonal first
   double total = 0;
 
   Split(const Generators& generators, const Rotation& frame) {
@@ -72,14 +74,14 @@ std::vector<Summand> merge_parallel(const Rotation& frame, const std::vector<Fre
       same->form += sign * form;
     }
   }
-  // Any subset is a valid choice; the signs of the rest stay zero.
+  // Any subset may be kept; the signs of the others then stay zero.
   std::ranges::stable_sort(summands, std::ranges::greater(), [](const Summand& s) { return s.moment.squaredNorm(); });
   if (summands.size() > kMostSummands) summands.resize(kMostSummands);
   return summands;
 }
 
-/// A lower bound of the support function of w + sum [-a, a] on unit vectors. If the origin is inside, that is its
-/// inradius about the origin, attained at the normal of a facet, which two of the a span.
+/// A lower bound of the support function of w + sum [-a, a] on unit vectors. If the origin is inside this body, the
+/// bound is the radius of the largest ball about it that fits; a facet attains it, and two of the a span the facet.
 double least_support(const Eigen::Vector3d& w, const std::vector<Summand>& summands, double rounding) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < summands.size(); ++i)
@@ -92,7 +94,7 @@ double least_support(const Eigen::Vector3d& w, const std::vector<Summand>& summa
       for (const Summand& s : summands) support += std::abs(normal.dot(s.moment));
       least = std::min(least, support);
     }
-  // Moments merged unless their angle exceeds 1e-7 leave 1e-9 of a normal's digits to rounding.
+  // Moments are merged unless their angle exceeds 1e-7; that leaves 1e-9 of the digits of a normal to rounding.
   least -= 1e-8 * rounding / kBallRounding;
   return summands.size() >= 3 && least > 0 ? least : -w.norm() - rounding;
 }
@@ -102,12 +104,12 @@ Eigen::Vector3d symmetric_eigenvalues(const Eigen::Matrix3d& m) {
       .eigenvalues();
 }
 
-/// The angle for one choice of free faces, the first `count`.
+/// The radius of the ball if the first `count` of the free generators are used.
 double angle_with(const Split& split, const Rotation& frame, std::size_t count, double value) {
   const double rounding = kBallRounding * split.total;
   std::array<Extended, 3> g = split.settled;
   for (std::size_t i = count; i < split.free.size(); ++i) g[split.free[i].axis] += split.free[i].v.cast<long double>();
-  Eigen::Matrix3d form = Eigen::Matrix3d::Zero();  // B with the free signs zero
+  Eigen::Matrix3d form = Eigen::Matrix3d::Zero();  // the matrix B of lemma 2, with the free signs zero
   Eigen::Vector3d w = Eigen::Vector3d::Zero();
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d r = frame.axis(k), gk = g[k].cast<double>();
@@ -122,8 +124,8 @@ double angle_with(const Split& split, const Rotation& frame, std::size_t count, 
   }
   const double slope = least_support(w, summands, rounding);
 
-  // at_centre + slope sin t - curvature (1 - cos t) >= value, in x = tan(t/2). Only if it holds at x = 0 do its
-  // solutions begin there.
+  // Solves at_centre + slope sin t - curvature (1 - cos t) >= value, in x = tan(t/2). The solutions begin at x = 0 only
+  // if it holds there.
   const double below = value - at_centre, a = 2 * curvature + below, discriminant = slope * slope - below * a;
   if (!(below <= 0 && a > 0 && discriminant > 0)) return 0;
   return 2 * std::atan(std::max(0.0, (slope + std::sqrt(discriminant)) / a));
@@ -148,7 +150,7 @@ double kink_ball(const Generators& generators, const Rotation& centre, double va
 void Balls::add(const Rotation& centre, double angle) {
   for (const Rotation& symmetry : frame_symmetries()) {
     const Rotation copy = symmetry * centre;
-    // No rotation of the zone turns by more than 62.8 degrees.
+    // No rotation in the zone turns by more than 62.8 degrees, so copies further away are of no use.
     if (angle_between(copy, Rotation()) > 1.1 + angle) continue;
     const Eigen::Quaterniond q = copy.quaternion().normalized();
     balls_.push_back({{q.w(), q.x(), q.y(), q.z()}, std::cos(0.5 * angle) + kCosineRounding});
@@ -163,7 +165,8 @@ bool Balls::hold(const Box& box) const {
     const Eigen::Vector4d& q = ball.quaternion;
     const double product = q[0] + q.tail<3>().dot(middle);
     if (product * product < ball.cosine * ball.cosine * norm) continue;
-    // In Rodrigues coordinates the ball is one nappe of a cone's slice, hence convex: the corners decide.
+    // In Rodrigues coordinates the ball is convex (a slice of one nappe of a cone), so it holds the box if it holds
+    // the corners.
     const Corners corners(box);
     const Array8 products = q[0] + q[1] * corners.rho[0] + q[2] * corners.rho[1] + q[3] * corners.rho[2];
     const Array8 nearest = product < 0 ? Array8(-products) : products;

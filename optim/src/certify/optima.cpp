@@ -13,14 +13,14 @@
 namespace rectilin::certification {
 namespace {
 
-constexpr double kDescendBelow = 0.01;    // half-edge of cells from which local searches start
-constexpr double kFinest = 1e-4;          // half-edge of cells that are not halved any more
-constexpr std::size_t kMostCells = 3000;  // beyond so many cells they stay as coarse as they are
+constexpr double kDescendBelow = 0.01;    // local searches start from cells with half-edges below this
+constexpr double kFinest = 1e-4;          // cells with half-edges below this are not halved any more
+constexpr std::size_t kMostCells = 3000;  // if there are more cells they are not halved any more
 constexpr double kLeastBall = 1e-5;       // radians
 constexpr int kDescent = 40;
-constexpr double kStretched = 0.02;  // radians; a longer component is a continuum
+constexpr double kStretched = 0.02;  // radians; a component that extends further is a continuum
 
-/// Cells of equal size, halved together until they are excluded, in the ball of a known minimum, or small.
+/// Cells of equal size that are halved together, until each is excluded, or in the ball of a known minimum, or small.
 class Search {
  public:
   Search(Evaluator& evaluator, const CertifyOptions& options, double threshold)
@@ -54,7 +54,7 @@ class Search {
     bool descended = false;
   };
 
-  /// Cuts at the low points of the cells whose models are too low, all in one batch.
+  /// Takes cuts at the minima of the models of the cells where the model is too low, all in one batch.
   void evaluate() {
     std::vector<Rotation> rotations;
     std::vector<std::size_t> owners;
@@ -76,7 +76,7 @@ class Search {
     });
   }
 
-  /// One local search from each cell; a minimum with a ball of its own takes the cells inside with it.
+  /// Runs a local search from each cell; a minimum with a ball of its own removes the cells inside that ball.
   void find_minima() {
     const Generators generators = evaluator_.objective().generators();
     if (generators.size() == 0) return;
@@ -113,13 +113,14 @@ class Search {
     open_ = std::move(halves);
   }
 
-  /// A cell that is left, or a minimum, on the way to becoming part of a component.
+  /// A cell that is left, or a minimum, before it becomes part of a connected component.
   struct Piece {
     Rotation centre;
     Incumbent best;
   };
 
-  /// Pieces that touch, also across the zone's faces where frames come back in another guise, are one component.
+  /// Joins the pieces that touch into components. Pieces also touch across the faces of the zone, where the same frames
+  /// appear as other rotations.
   void collect_components() {
     std::vector<Piece> pieces;
     for (const Optimum& o : found_) pieces.push_back({o.rotation, {o.rotation, o.value}});
@@ -129,7 +130,7 @@ class Search {
       pieces.push_back({rotation_from_rodrigues(c.cell.box.centre()), {low, evaluator_.value(low)}});
     }
     found_.clear();
-    // Near the identity a cell of half-edges e is 4 |e| wide in radians, elsewhere less.
+    // Near the identity a cell with half-edges e is 4 |e| wide in radians, elsewhere less.
     const double width = 4 * (open_.empty() ? kFinest : open_[0].cell.box.half_edges().norm());
 
     std::vector<std::size_t> root(pieces.size());
@@ -176,7 +177,7 @@ class Search {
   Balls balls_;
   std::vector<Centre> centres_;
   std::vector<Optimum> found_;
-  bool cut_short_ = false;  // the budget ended before cells were small
+  bool cut_short_ = false;  // the budget ended before the cells were small
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// All frames that are as good as the best.
+// Finds all frames that are as good as the best one.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace rectilin::certification {
 
-/// Classes of frames (up to frame_symmetries()) that may have a value of at most `threshold`, best first. Every such
-/// frame is in one of them, unless the budget ends first; a frame elsewhere is excluded by its cell's bound.
+/// Sets of frames (up to frame_symmetries()) whose values may be at most `threshold`, best first. Together they hold
+/// every such frame, unless the budget ends first: frames elsewhere are excluded by the bound of their cell.
 std::vector<Optimum> find_optima(Evaluator& evaluator, const CertifyOptions& options, double threshold);
 
 }  // namespace rectilin::certification

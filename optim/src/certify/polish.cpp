@@ -9,23 +9,24 @@
 namespace rectilin::certification {
 namespace {
 
-constexpr double kPolishTolerances[] = {1e-4, 1e-6, 1e-8, 1e-10};  // radians to being parallel at the start
+constexpr double kPolishTolerances[] = {1e-4, 1e-6, 1e-8, 1e-10};  // radians from orthogonal at the start
 constexpr double kParallelInTheEnd = 1e-12;
 constexpr int kPolishDescent = 20, kNewtonSteps = 8;
-constexpr double kIndependent = 0.1;  // sine of the angle between a condition and the span of those before
+constexpr double kIndependent = 0.1;  // least sine of the angle between a condition and the span of earlier ones
 
 struct Condition {
   ActiveGenerator face;
-  Eigen::Vector3d normal;  // unit
-  double length;           // the generator's
+  Eigen::Vector3d normal;  // unit vector
+  double length;           // length of the generator
 };
 
-/// Faces nearly parallel to the axes of frames round one of them. All are looked at once; there may be millions.
+/// The generators that are nearly orthogonal to an axis, for all frames near a central one. There may be millions of
+/// generators, so all of them are looked at only when the centre moves.
 class Neighbourhood {
  public:
   Neighbourhood(const Generators& generators, const Rotation& centre) : generators_(generators) { move_to(centre); }
 
-  /// All faces within `tolerance` of being parallel to an axis, the largest first.
+  /// All generators within `tolerance` (radians) of being orthogonal to an axis, the longest first.
   std::vector<Condition> near_parallel(const Rotation& frame, double tolerance) {
     if (angle_between(centre_, frame) + tolerance > kReach) move_to(frame);
     std::vector<Condition> found;
@@ -51,10 +52,10 @@ class Neighbourhood {
 
   Generators generators_;
   Rotation centre_;
-  std::vector<Condition> near_;  // within kReach at the centre
+  std::vector<Condition> near_;  // those within kReach for the central frame
 };
 
-/// How r_k . n changes as the frame turns about the mesh's coordinate axes.
+/// The derivative of r_k . n as the frame turns about the mesh's coordinate axes.
 Eigen::Vector3d derivative(const Condition& c, const Rotation& frame) {
   return frame.axis(c.face.axis).cross(c.normal);
 }

@@ -10,14 +10,14 @@
 namespace rectilin::certification {
 namespace {
 
-constexpr double kLeastRadius = 0.01;              // of sweeps, in radians; cuts alone do well on smaller ones
-constexpr int kFirstLevel = 3;                     // whose triangles are bounded: edges of 0.2 radians
+constexpr double kLeastRadius = 0.01;              // radians; on smaller sweeps cuts alone are good enough
+constexpr int kFirstLevel = 3;                     // first level whose triangles are bounded: edges of 0.2 radians
 constexpr int kFinestLevel = 20;                   // edges of 1e-6 radians
-constexpr double kStartEdge = 2, kEndEdge = 0.03;  // of the triangles that cover a sweep, in units of its radius
-constexpr int kMostDivisions = 400;                // of triangles for one box
+constexpr double kStartEdge = 2, kEndEdge = 0.03;  // edges of the triangles that cover a sweep, in its radii
+constexpr int kMostDivisions = 400;                // of triangles, for one box
 constexpr std::size_t kMostBlocks = 1'000'000;
-constexpr double kRounding = 0x1p-44;  // of everything but the sums over faces, relative to S
-constexpr double kMostBytes = 1e8;     // for lists of faces
+constexpr double kRounding = 0x1p-44;  // of everything but the sums over generators, relative to S
+constexpr double kMostBytes = 1e8;     // for lists of generators
 
 double edge_of(int level) { return std::numbers::pi / 2 / (1 << level); }
 
@@ -27,8 +27,8 @@ int level_of_edge(double edge) {
   return level;
 }
 
-/// The second-degree part of h in spherical harmonics, |t| = 1/2 + 5/8 P_2(t) + ..., and as much of the unit matrix as
-/// makes it positive but no more. Zero where h varies too much for least_on().
+/// The part of second degree of h in spherical harmonics, |t| = 1/2 + 5/8 P_2(t) + ..., plus just enough of the unit
+/// matrix to make it positive. Zero where h varies too much for least_on().
 Eigen::Matrix3d quadratic_part(const Eigen::Matrix3d& second, double total) {
   const Eigen::Matrix3d part = 15.0 / 16 * second;
   const Eigen::Vector3d values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(part).eigenvalues();
@@ -37,7 +37,8 @@ Eigen::Matrix3d quadratic_part(const Eigen::Matrix3d& second, double total) {
   return 0.5 * (form + form.transpose());
 }
 
-/// Whichever thread is first, all get its object; says whether it was this one.
+/// Publishes an object that several threads may have made at once: all get the object of the first thread. Also says
+/// whether that was this one.
 template <class T>
 std::pair<T*, bool> install(std::atomic<T*>& place, std::unique_ptr<T> made) {
   T* before = nullptr;
@@ -49,7 +50,7 @@ std::pair<T*, bool> install(std::atomic<T*>& place, std::unique_ptr<T> made) {
 
 /// A triangle of the subdivision.
 struct SupportFloor::Node {
-  /// Those whose great circles may meet it, and the gradient of the others.
+  /// The generators whose great circles may meet the triangle, and the signed sum of all others.
   struct Faces {
     GeneratorList list;
     Eigen::Vector3d settled = Eigen::Vector3d::Zero();
@@ -59,8 +60,8 @@ struct SupportFloor::Node {
   int level = 0;
   const Node* above = nullptr;
   Eigen::Vector3d centre;
-  double value = std::numeric_limits<double>::infinity();  // of h less the form, at the centre
-  mutable double bound = -1e9;                             // it is nowhere less
+  double value = std::numeric_limits<double>::infinity();  // h less the quadratic form, at the centre
+  mutable double bound = -1e9;                             // lower bound of h less the form on the triangle
   mutable std::atomic<Block*> parts = nullptr;
   mutable std::atomic<Faces*> faces = nullptr;
 
@@ -81,9 +82,9 @@ SupportFloor::SupportFloor(const Generators& generators, double margin, std::fun
     second += v * v.transpose() / v.norm();
   }
   form_ = quadratic_part(second, total);
-  // A sum of K terms, in whatever order, errs by at most K roundoffs of the sum of the lengths.
+  // A sum of K terms, in whatever order, errs by at most K roundoffs times the sum of the lengths.
   rounding_ = total * (static_cast<double>(generators.size()) * 0x1p-52 + kRounding) + margin;
-  // A triangle of edge e meets 3 e / 2 pi of all great circles.
+  // A triangle with edges e meets a fraction of 3 e / 2 pi of all great circles.
   kept_levels_ = std::clamp(std::ilogb(kMostBytes / (3 * 24 * static_cast<double>(generators.size())) + 1), 0, 5);
 
   const GeneratorList all(generators);
@@ -99,8 +100,8 @@ SupportFloor::SupportFloor(const Generators& generators, double margin, std::fun
 
 SupportFloor::~SupportFloor() = default;
 
-/// Faces that may be unsettled in the triangle, and the gradient of the others: the triangle's own or, below the levels
-/// whose lists are kept, those of one that it is a part of.
+/// A list that holds all generators whose great circles meet the triangle, and the signed sum of the others: the
+/// triangle's own list or, below the levels that keep lists, that of a larger triangle.
 const GeneratorList& SupportFloor::faces_over(const Node& node, Eigen::Vector3d& settled) const {
   if (node.level > kept_levels_) return faces_over(*node.above, settled);
   Node::Faces* faces = node.faces.load();
@@ -117,7 +118,7 @@ const GeneratorList& SupportFloor::faces_over(const Node& node, Eigen::Vector3d&
   return faces->list;
 }
 
-/// Divides a triangle if it is not yet. Null if no more may be.
+/// The four parts of a triangle, which is divided if it was not. Null if no more divisions are allowed.
 const SupportFloor::Block* SupportFloor::parts_of(const Node& node) const {
   if (const Block* known = node.parts.load()) return known;
   if (full_ || node.level == kFinestLevel || stop_()) return nullptr;
@@ -140,7 +141,7 @@ const SupportFloor::Block* SupportFloor::parts_of(const Node& node) const {
       faces = &own;
     }
     for (Node& part : *made) {
-      const Eigen::Vector3d gradient = settled + faces->cut(part.centre);  // a cut is below h: so is its least value
+      const Eigen::Vector3d gradient = settled + faces->cut(part.centre);  // a cut is nowhere above h
       part.value = gradient.dot(part.centre) - part.centre.dot(form_ * part.centre);
       part.bound = std::max(node.bound, least_on(part.corners, gradient, form_) - rounding_);
     }
@@ -161,7 +162,7 @@ void SupportFloor::update() {
   full_ = blocks_.size() > kMostBlocks;
 }
 
-/// The triangles that cover a sweep, least bound first.
+/// The triangles that cover a sweep, ordered by bound, least first.
 class SupportFloor::Front {
  public:
   void start(const SupportFloor& floor, const Sweep& sweep) {
@@ -171,7 +172,7 @@ class SupportFloor::Front {
     begin_ = level_of_edge(kStartEdge * sweep.radius());
     end_ = level_of_edge(kEndEdge * sweep.radius());
     for (const Node& octant : *floor.octants_)
-      for (const double mirror : {1.0, -1.0}) {  // h is even
+      for (const double mirror : {1.0, -1.0}) {  // h is even: the mirror image counts as well
         const Triangle3& p = octant.corners;
         if (sweep.may_meet(sweep.place(p[0]), sweep.place(p[1]), sweep.place(p[2]), mirror)) add(floor, octant, mirror);
       }
@@ -181,7 +182,7 @@ class SupportFloor::Front {
   int level() const { return entries_.front().node->level; }
   double value() const { return value_; }
 
-  /// Divides the triangle of least bound; false if that is not to be.
+  /// Divides the triangle with the least bound; false if that is not possible.
   bool divide(const SupportFloor& floor) {
     const Entry entry = entries_.front();
     if (entry.node->level >= end_) return false;
@@ -200,7 +201,7 @@ class SupportFloor::Front {
     double mirror;
   };
 
-  /// Those of the four parts that may meet the sweep. They share corners, see quarters().
+  /// The parts, among the four, that may meet the sweep. The parts share corners, see quarters().
   template <class F>
   void for_each_meeting(const Block& parts, double mirror, const F& f) const {
     const auto place = [&](int part, int corner) { return sweep_->place(parts[part].corners[corner]); };
@@ -226,7 +227,7 @@ class SupportFloor::Front {
 
   const Sweep* sweep_ = nullptr;
   std::vector<Entry> entries_;
-  double value_ = 0;  // least of h at centres in the sweep
+  double value_ = 0;  // least value at the centres that are in the sweep
   int begin_ = 0, end_ = 0;
 };
 

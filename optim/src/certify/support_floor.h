@@ -1,4 +1,4 @@
-// How low h gets where the axes of a box's frames point to, for objectives that are nearly constant.
+// Lower bounds of h where the axes of a box's frames point to, for objectives that are nearly constant.
 #pragma once
 
 #include <tbb/concurrent_vector.h>
@@ -13,33 +13,36 @@
 
 namespace rectilin::certification {
 
-/// On a nearly round body every cut is tangent to a body that curves away from it, and cells must shrink with the
-/// square root of the gap in all three dimensions. But h lives on the sphere, which has two, and is nearly constant
-/// there: as a rule the least values of h on what the three axes sweep add up to enough, for boxes a tenth of a radian
-/// wide.
+/// For a nearly round body every cut is tangent to something that curves away from it, and cells would have to shrink
+/// with the square root of the gap in all three dimensions. But h lives on the sphere, which has two dimensions, and is
+/// nearly constant there. As a rule the least values of h on what the three axes sweep add up to enough, for boxes as
+/// wide as a tenth of a radian.
 ///
-/// Where h also varies smoothly, as on an ellipsoid, most of that is a quadratic form u . F u; the sum of the form over
-/// three orthogonal axes is its trace, whichever they are. So floors are those of h(u) - u . F u.
+/// Where h also varies smoothly, as for an ellipsoid, most of its variation is a quadratic form u . F u. The sum of the
+/// form over three orthogonal axes is its trace, whichever axes they are. So what is bounded here is h(u) - u . F u;
+/// its lower bounds are called floors.
 ///
 /// One subdivision of the sphere into triangles serves all axes of all boxes (papers/certificate.md, lemma 3). It is
-/// refined where a box asks for it. Between two calls of update() the answers do not depend on their order, so
-/// results are the same for any number of threads.
+/// refined where a box needs it. Between two calls of update() the answers do not depend on the order of the questions,
+/// so results are the same for any number of threads.
 class SupportFloor {
  public:
-  /// Bounds are lowered by `margin` more than rounding asks for. Once `stop` returns true, nothing is proved any more.
+  /// Bounds are lowered by `margin` in addition to what rounding demands. Once `stop` returns true nothing more
+  /// is proved.
   SupportFloor(const Generators& generators, double margin, std::function<bool()> stop);
   ~SupportFloor();
 
-  /// Numbers, one an axis, that h(u) - u . F u does not fall below on the sweeps, and that add up to `enough` less the
-  /// trace of F; nothing if there are none, or at a price that is not worth it. Thread safe.
+  /// Three floors of h(u) - u . F u on the sweeps, one for each axis, that add up to `enough` less the trace of F.
+  /// Nothing if there are none, or if finding them costs too much. Thread safe.
   std::optional<std::array<double, 3>> prove(const std::array<Sweep, 3>& sweeps, double enough) const;
 
-  /// Makes what was learnt of parts known to the triangles they are part of. Not to be called during prove().
+  /// Passes on what was learnt about parts of triangles to the triangles that contain them. Must not be called
+  /// during prove().
   void update();
 
   const Eigen::Matrix3d& form() const { return form_; }
 
-  /// Triangles that were looked at so far.
+  /// Number of triangles looked at so far.
   std::size_t triangles() const { return 4 * blocks_.size(); }
 
  private:
@@ -53,10 +56,10 @@ class SupportFloor {
   Eigen::Matrix3d form_;
   double rounding_;
   std::function<bool()> stop_;
-  int kept_levels_;  // of lists of faces
+  int kept_levels_;  // levels whose triangles keep lists of generators
   bool full_ = false;
   std::unique_ptr<Block> octants_;
-  mutable tbb::concurrent_vector<const Node*> blocks_;  // what was divided
+  mutable tbb::concurrent_vector<const Node*> blocks_;  // the triangles that were divided
   std::size_t known_ = 0;                               // how many of them update() has seen
 };
 

@@ -9,7 +9,7 @@
 namespace rectilin::certification {
 namespace {
 
-constexpr double kWidest = 0.7;  // reach of octagons worth looking at
+constexpr double kWidest = 0.7;  // largest reach of an octagon that is worth using
 
 }  // namespace
 

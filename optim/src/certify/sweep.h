@@ -1,4 +1,4 @@
-// The part of the sphere that an axis of the frame sweeps on a box of rotations.
+// The part of the sphere that an axis of the frame sweeps as the rotation runs through a box.
 #pragma once
 
 #include <numbers>
@@ -8,17 +8,18 @@
 
 namespace rectilin::certification {
 
-/// An octagon about it with great circles for sides: where the axis points, its product with the outer normal of a side
-/// is at most that side's reach. Lemma 1 gives the reach.
+/// An octagon that contains this part and is bounded by great circles: wherever the axis points, its product with the
+/// outer normal of a side is at most the reach of that side. Lemma 1 gives the reach.
 class Sweep {
  public:
-  /// `middle` is the rotation in the box's centre. The octagon is wider than it need be by the fraction `wider`.
+  /// `middle` is the rotation at the box's centre. The octagon is made wider than necessary by the fraction `wider`.
   Sweep(const Box& box, const Corners& corners, const Rotation& middle, int axis, double wider = 0);
 
-  /// About the radius, in radians; infinite if the octagon is not known to be small.
+  /// The approximate radius in radians; infinite if the octagon may be large.
   double radius() const { return radius_; }
 
-  /// Where a point is: its products with four normals, whose opposites are the other four, and with the middle.
+  /// The position of a point relative to the octagon: its products with four normals (the other four normals are their
+  /// opposites) and with the middle.
   struct Place {
     Eigen::Array4d sides;
     double ahead;
@@ -29,9 +30,9 @@ class Sweep {
     return {{a, b, kHalf * (a + b), kHalf * (a - b)}, x.dot(middle_)};
   }
 
-  /// False if no direction in a triangle with corners there, mirrored if `mirror` is -1, lies in the octagon. (A
-  /// triangle misses the half-sphere x . n <= s, s >= 0, if its corners do: at a point sum a_j p_j the a_j >= 0 add up
-  /// to at least 1.)
+  /// Returns false only if no direction in a triangle with corners at these places, mirrored if `mirror` is -1, lies in
+  /// the octagon. (If the corners all miss the half-sphere x . n <= s, s >= 0, so does the triangle: at a point sum a_j
+  /// p_j the a_j >= 0 add up to at least 1.)
   bool may_meet(const Place& p, const Place& q, const Place& r, double mirror) const {
     const Eigen::Array4d low = p.sides.min(q.sides).min(r.sides), high = p.sides.max(q.sides).max(r.sides);
     if (mirror > 0)
@@ -41,17 +42,17 @@ class Sweep {
            std::min({p.ahead, q.ahead, r.ahead}) <= kRounding;
   }
 
-  /// Is the unit vector in the octagon, but for rounding?
+  /// Is the unit vector in the octagon, up to rounding?
   bool holds(const Eigen::Vector3d& x) const {
     const Place at = place(x);
     return at.ahead > 0 && (at.sides >= least_).all() && (at.sides <= most_).all();
   }
 
  private:
-  static constexpr double kRounding = 1e-12;  // of a reach, and of products of unit vectors, amply
+  static constexpr double kRounding = 1e-12;  // generous, for a reach and for products of unit vectors
 
   Eigen::Vector3d middle_, a_, b_;  // an orthonormal frame
-  Eigen::Array4d most_, least_;     // of the four products, on the octagon
+  Eigen::Array4d most_, least_;     // bounds of the four products on the octagon
   double radius_;
 };
 

@@ -6,7 +6,7 @@ namespace {
 struct Flag {
   const char* name;
   bool Capabilities::*member;
-  bool of_all = false;  ///< a whole has it if all parts do, not if any does
+  bool of_all = false;  ///< a combination has it only if all parts have it
 };
 
 constexpr Flag kFlags[] = {{"deterministic", &Capabilities::deterministic, true},

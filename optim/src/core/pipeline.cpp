@@ -22,7 +22,7 @@ Capabilities Pipeline::capabilities() const {
 
 void Pipeline::run(Evaluator& evaluator, const Domain& domain, Random& random) const {
   for (std::size_t i = 0; i < stages_.size() && !evaluator.exhausted(); ++i) {
-    // A stage's random numbers do not depend on how many the stages before it drew.
+    // The random numbers of a stage must not depend on how many the stages before it drew.
     Random own = random.fork(i);
     stages_[i]->run(evaluator, domain, own);
   }

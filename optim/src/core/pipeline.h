@@ -6,8 +6,7 @@
 
 namespace rectilin {
 
-/// Optimizers one after the other on one budget, each told of the incumbent that those before it
-/// have found.
+/// Runs optimizers one after another on one budget; each can use the incumbent that those before it have found.
 class Pipeline final : public Optimizer {
  public:
   explicit Pipeline(std::vector<std::unique_ptr<const Optimizer>> stages) : stages_(std::move(stages)) {}

@@ -36,7 +36,7 @@ std::unique_ptr<Optimizer> Registry::make(std::string_view name, const Json& set
   const std::vector<std::string> names = split_stages(name);
   if (names.size() > 1) {
     if (!settings.is_array() || settings.size() != names.size())
-      throw ParameterError(std::string(name) + ": its settings are an array, one object a stage");
+      throw ParameterError(std::string(name) + ": its settings must be an array with one object for each stage");
     std::vector<std::unique_ptr<const Optimizer>> stages;
     for (std::size_t i = 0; i < names.size(); ++i) stages.push_back(make(names[i], settings[i]));
     return in_a_row(std::move(stages));

@@ -22,13 +22,13 @@ std::string hex(std::uint64_t x) {
   return text.str();
 }
 
-/// Threads that loops begun here can use.
+/// The number of threads that parallel loops started here can use.
 int usable_threads() {
   const std::size_t limit = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   return std::min(tbb::this_task_arena::max_concurrency(), static_cast<int>(limit));
 }
 
-/// Processor time so far: this thread's if a run has no other, so that runs beside it are not charged to it.
+/// Processor time so far: only of this thread if a run may use no other, so that runs beside it are not counted.
 double cpu_clock(int threads) {
   std::timespec time{};
   clock_gettime(threads == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_PROCESS_CPUTIME_ID, &time);

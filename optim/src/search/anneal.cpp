@@ -9,11 +9,10 @@
 namespace rectilin {
 namespace {
 
-/// Simulated annealing (Kirkpatrick, Gelatt, Vecchi 1983) by random turns of the frame.
-/// Temperatures are relative to the spread of the objective over random rotations, so that the same
-/// settings suit every mesh; the length of the turns follows the share of moves accepted (as in
-/// Corana et al. 1987). If only a time limit is set it anneals again and again, each time
-/// twice as long (Allowance::plan()), and goes on from the incumbent.
+/// Simulated annealing (Kirkpatrick, Gelatt, Vecchi 1983) with random turns of the frame. Temperatures are relative to
+/// the spread of the objective over random rotations, so that the same settings suit every mesh. The length of the
+/// turns adapts to the share of moves that are accepted (as in Corana et al. 1987). If only a time limit is set, it
+/// anneals again and again, each time for twice as long (Allowance::plan()), continuing from the incumbent.
 struct AnnealingOptions {
   enum class Cooling { kGeometric, kLinear, kFast, kBoltzmann };
   enum class Reheat { kBest, kRandom };
@@ -22,13 +21,13 @@ struct AnnealingOptions {
   Cooling cooling = Cooling::kGeometric;
   double hot = 0.5;    ///< first temperature, in standard deviations of the objective
   double cold = 1e-7;  ///< last temperature, likewise
-  int cycles = 4;      ///< coolings the evaluations are shared out to
+  int cycles = 4;      ///< number of coolings, which share the evaluations
   Reheat reheat = Reheat::kRandom;
-  double acceptance = 0.4;  ///< share of accepted moves that the step length is adapted to
-  double step = 0.5;        ///< first and longest step: standard deviation of each component of a turn, radians
+  double acceptance = 0.4;  ///< the step length adapts so that this share of moves is accepted
+  double step = 0.5;        ///< first and longest step: standard deviation (radians) of each component of a turn
 
   void bind(Parameters& table);
-  void check() const;  ///< the last temperature is not above the first
+  void check() const;  ///< throws if the last temperature is above the first
 };
 
 struct State {
@@ -36,7 +35,7 @@ struct State {
   double value;
 };
 
-/// Random rotations that find the scale of the objective and the first start.
+/// Evaluates random rotations to find the scale of the objective and the first start.
 struct Survey {
   State best;
   double deviation;
@@ -58,7 +57,7 @@ Survey survey(const Allowance& allowance, Evaluator& evaluator, Random& random) 
   return result;
 }
 
-/// Temperature after the share t of a cooling, from 1 at t = 0 to `end` at t = 1.
+/// The temperature after the fraction t of a cooling, from 1 at t = 0 to `end` at t = 1.
 double temperature(AnnealingOptions::Cooling cooling, double t, double end) {
   using Cooling = AnnealingOptions::Cooling;
   switch (cooling) {
@@ -74,7 +73,7 @@ double temperature(AnnealingOptions::Cooling cooling, double t, double end) {
   return end;
 }
 
-/// One cooling from `state` over `moves` evaluations.
+/// One cooling of `moves` evaluations that starts from `state`.
 void cool(const AnnealingOptions& options, State state, double hot, std::uint64_t moves, Evaluator& evaluator,
           Random& random) {
   double step = options.step;
@@ -87,12 +86,13 @@ void cool(const AnnealingOptions& options, State state, double hot, std::uint64_
     const double rise = next.value - state.value;
     const bool accepted = rise <= 0 || random.chance(std::exp(-rise / heat));
     if (accepted) state = next;
-    // Up by (1-a) on success and down by a on failure balance at the share a of successes.
+    // Steps grow by (1-a) when a move is accepted and shrink by a when it is not: in balance if the share a
+    // is accepted.
     step = std::min(options.step, step * std::exp(0.3 * ((accepted ? 1 : 0) - options.acceptance)));
   }
 }
 
-/// All coolings, on one allowance.
+/// All coolings on one allowance.
 void anneal(const AnnealingOptions& options, const Allowance& allowance, Evaluator& evaluator, Random& random) {
   const bool had_start = evaluator.has_incumbent();
   const Incumbent given = evaluator.incumbent();
@@ -115,14 +115,14 @@ void AnnealingOptions::bind(Parameters& table) {
                {"linear", Cooling::kLinear},
                {"fast", Cooling::kFast},
                {"boltzmann", Cooling::kBoltzmann}},
-              "how the temperature falls: like c^k, 1-ck, 1/k or 1/log(k) in the step number k")
+              "how the temperature falls with the step number k: c^k, 1-ck, 1/k or 1/log(k)")
       .real("hot", hot, 1e-12, 1e6, "first temperature, in standard deviations of the objective")
       .real("cold", cold, 1e-15, 1e6, "last temperature, likewise")
-      .integer("cycles", cycles, 1, 1000000, "coolings that share the evaluations")
+      .integer("cycles", cycles, 1, 1000000, "number of coolings, which share the evaluations")
       .choice("reheat", reheat, {{"best", Reheat::kBest}, {"random", Reheat::kRandom}},
-              "where each cooling after the first begins: best rotation so far or a random one")
-      .real("acceptance", acceptance, 0.01, 0.99, "share of accepted moves that the step length is adapted to")
-      .real("step", step, 1e-9, 3, "first and longest step: standard deviation of each component of a turn, radians");
+              "where coolings after the first begin: at the best rotation so far or a random one")
+      .real("acceptance", acceptance, 0.01, 0.99, "the step length adapts so that this share of moves is accepted")
+      .real("step", step, 1e-9, 3, "first and longest step: standard deviation (radians) of each component of a turn");
 }
 
 void AnnealingOptions::check() const {
@@ -138,11 +138,10 @@ void anneal_in_rounds(const AnnealingOptions& options, Evaluator& evaluator, con
 }  // namespace
 
 void add_anneal(Registry& registry) {
-  registry.add(
-      GlobalMethod<AnnealingOptions>{.name = "anneal",
-                                     .help = "simulated annealing on rotations, with a step length that adapts",
-                                     .capabilities = {.uses_domain = false},
-                                     .run = anneal_in_rounds});
+  registry.add(GlobalMethod<AnnealingOptions>{.name = "anneal",
+                                              .help = "simulated annealing on rotations, with adaptive step length",
+                                              .capabilities = {.uses_domain = false},
+                                              .run = anneal_in_rounds});
 }
 
 }  // namespace rectilin

@@ -4,10 +4,9 @@
 namespace rectilin {
 namespace {
 
-/// Exact coordinate descent: the frame is turned about its first, second, third, first... axis to
-/// the best of all turns (the planar problem of Zunic and Rosin 2003), until three turns in a row
-/// have not helped. The end point need not be a local minimum: turns about two axes at once may
-/// still lead downhill.
+/// Exact coordinate descent: the frame is turned about its first, second, third, first... axis, each time to the best
+/// of all turns (the planar problem of Zunic and Rosin 2003), until three turns in a row do not help. The end need not
+/// be a local minimum: turning about two axes at once may still lead downhill.
 struct AxisSweepOptions {
   int starts = 0;
   double tolerance = 1e-12;
@@ -16,7 +15,7 @@ struct AxisSweepOptions {
 
 void AxisSweepOptions::bind(Parameters& table) {
   bind_starts(table, starts,
-              "descents, the first from the incumbent, if there is one, the others from random rotations");
+              "descents: the first from the incumbent, if there is one, the others from random rotations");
   table.real("tolerance", tolerance, 0, 1, "relative decrease of the value that counts as a step down");
 }
 

@@ -13,7 +13,7 @@ namespace {
 using Chromosome = std::uint32_t;
 using Individual = std::array<Chromosome, 3>;
 
-/// A population with its values, and the rules by which the next one is bred.
+/// A population with its values, and the rules that breed the next one.
 class Breeder {
  public:
   Breeder(const GeneticOptions& options, Random& random) : options_(options), random_(random) {
@@ -60,7 +60,7 @@ class Breeder {
     return domain.from_unit(t);
   }
 
-  /// Sorts indices from best to worst, and prepares the wheel that the selection spins.
+  /// Sorts indices from best to worst, and prepares the roulette wheel of the selection.
   void rank() {
     order_.resize(population_.size());
     std::iota(order_.begin(), order_.end(), 0);
@@ -88,7 +88,7 @@ class Breeder {
     return static_cast<int>(std::min(at - wheel_.begin(), std::ssize(wheel_) - 1));
   }
 
-  /// Each chromosome of the pair swaps its tails behind each of `points` random cuts.
+  /// Crosses two individuals: each pair of chromosomes swaps its tails behind `points` random places.
   void cross(Individual& a, Individual& b) {
     for (int k = 0; k < 3; ++k)
       for (int i = 0; i < options_.points; ++i) {
@@ -133,17 +133,17 @@ void GeneticOptions::bind(Parameters& table) {
   table.integer("population", population, 2, 1000000, "individuals, N_g")
       .integer("generations", generations, 0, 1000000000,
                "generations, N_gen, the first included; 0: until the budget ends")
-      .integer("bits", bits, 2, 31, "bits a chromosome, L_c")
+      .integer("bits", bits, 2, 31, "bits of a chromosome, L_c")
       .real("crossover", crossover, 0, 1, "probability that a pair is crossed, p_c")
       .real("mutation", mutation, 0, 1, "probability that a bit is flipped, p_m")
       .choice("selection", selection,
               {{"roulette", Selection::kRoulette}, {"tournament", Selection::kTournament}, {"rank", Selection::kRank}},
               "how parents are chosen")
-      .integer("tournament", tournament, 1, 1000, "contestants a tournament, if that is the selection")
+      .integer("tournament", tournament, 1, 1000, "individuals in a tournament, if that is the selection")
       .integer("points", points, 1, 31, "crossover points in each chromosome")
       .choice("encoding", encoding, {{"binary", Encoding::kBinary}, {"gray", Encoding::kGray}},
-              "code of the chromosomes")
-      .integer("elitism", elitism, 0, 1000000, "best individuals that go on unchanged");
+              "how chromosomes code numbers")
+      .integer("elitism", elitism, 0, 1000000, "number of best individuals that are kept unchanged");
 }
 
 void GeneticOptions::check() const {

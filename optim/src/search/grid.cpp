@@ -1,4 +1,4 @@
-// Exhaustive search (paper, section 4.3, note 3), refined where it looks best.
+// Exhaustive search (paper, section 4.3, note 3), refined where the values are best.
 #include <algorithm>
 
 #include "rectilin/optim/registry.h"
@@ -6,10 +6,10 @@
 namespace rectilin {
 namespace {
 
-/// First `points`^3 nodes spread over the domain's box, ends included; then, `levels` times, a grid of
-/// `refine`^3 nodes over the neighbourhood (one spacing to each side) of each of the `keep` best nodes so
-/// far. The defaults spend the genetic algorithm's 10,000 evaluations. The third coordinate runs fastest:
-/// on the Euler domains all nodes of such a line have the same third axis, and the objective shares its h.
+/// First `points`^3 nodes spread over the domain's box, ends included. Then, `levels` times, a grid of `refine`^3 nodes
+/// over the neighbourhood (one spacing to each side) of each of the `keep` best nodes so far. The defaults use the
+/// 10,000 evaluations of the genetic algorithm. The third coordinate runs fastest: on the Euler domains all nodes of
+/// such a line have the same third axis, and the objective computes its h only once.
 struct GridOptions {
   int points = 20;
   int levels = 2;
@@ -24,7 +24,7 @@ struct Node {
   double value;
 };
 
-/// The best nodes seen, ascending in value; of equals the earlier stays ahead.
+/// The best nodes so far in ascending order of their values; among equals the earlier one comes first.
 class BestNodes {
  public:
   explicit BestNodes(std::size_t capacity) : capacity_(capacity) {}
@@ -42,7 +42,7 @@ class BestNodes {
   std::vector<Node> nodes_;
 };
 
-/// Evaluates n^3 nodes over the box [lower, upper], a plane of the first coordinate at a time.
+/// Evaluates n^3 nodes over the box [lower, upper], one plane of the first coordinate at a time.
 void search_box(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper, int n, const Domain& domain,
                 Evaluator& evaluator, BestNodes& best) {
   const Eigen::Vector3d step = (upper - lower) / (n - 1);
@@ -64,8 +64,8 @@ void search_box(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper, int 
 
 void GridOptions::bind(Parameters& table) {
   table.integer("points", points, 2, 2000, "nodes along each coordinate of the domain")
-      .integer("levels", levels, 0, 100, "times the grid is refined")
-      .integer("keep", keep, 1, 1000000, "best nodes refined at each level")
+      .integer("levels", levels, 0, 100, "how often the grid is refined")
+      .integer("keep", keep, 1, 1000000, "number of best nodes that are refined at each level")
       .integer("refine", refine, 3, 1000, "nodes along each coordinate of a refined neighbourhood");
 }
 
@@ -89,7 +89,7 @@ void search_grid(const GridOptions& options, Evaluator& evaluator, const Domain&
 void add_grid(Registry& registry) {
   registry.add(
       GlobalMethod<GridOptions>{.name = "grid",
-                                .help = "exhaustive search of a domain's box, then finer grids round the best points",
+                                .help = "exhaustive search of a domain's box, then finer grids around the best points",
                                 .capabilities = {.uses_random = false, .batches = true},
                                 .run = search_grid});
 }

@@ -9,16 +9,16 @@
 namespace rectilin {
 namespace {
 
-/// The search of Chang, Gorissen and Melchior (2011) for the smallest box round a solid, here for
-/// this objective: a population of simplices of four rotations. The better half breeds, by swapping
-/// vertices and by mixing them on the group, and the children mutate by some steps of Nelder and
-/// Mead's method. A population that no longer gains is replaced by a new one.
+/// The method of Chang, Gorissen and Melchior (2011) for the smallest box around a solid, here for this objective: a
+/// population of simplices of four rotations. The better half breeds, by swapping vertices and by mixing them on the
+/// rotation group, and the children mutate by some steps of Nelder and Mead's method. A population that stops improving
+/// is replaced by a new one.
 struct HybridOptions {
   int evaluations = 0;
   int population = 30;  ///< simplices, M
-  int steps = 20;       ///< Nelder-Mead iterations a generation, K
-  int patience = 5;     ///< generations without gain that end a population
-  double gain = 1e-6;   ///< relative decrease of the value that counts as one
+  int steps = 20;       ///< Nelder-Mead iterations in a generation, K
+  int patience = 5;     ///< generations without gain after which a new population is drawn
+  double gain = 1e-6;   ///< relative decrease of the value that counts as gain
   void bind(Parameters& table);
 };
 
@@ -32,14 +32,14 @@ Simplex random_simplex(Evaluator& evaluator, Random& random) {
   return Simplex(vertices);
 }
 
-/// Each vertex from one of the parents, more often from the better.
+/// Takes each vertex from one of the parents, more often from the better one.
 Simplex swap_vertices(const Simplex& better, const Simplex& worse, Random& random) {
   Vertices vertices;
   for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = (random.chance(0.6) ? better : worse).vertices()[i];
   return Simplex(vertices);
 }
 
-/// Each vertex 0.6 of the way from the worse parent's to the better's.
+/// Puts each vertex 0.6 of the way from the worse parent's to the better parent's.
 Simplex mix_vertices(const Simplex& better, const Simplex& worse, Evaluator& evaluator) {
   Vertices vertices;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -50,7 +50,7 @@ Simplex mix_vertices(const Simplex& better, const Simplex& worse, Evaluator& eva
   return Simplex(vertices);
 }
 
-/// A population from its creation until it no longer gains.
+/// Runs a population from its creation until it no longer improves.
 void evolve(const HybridOptions& options, const Allowance& allowance, Evaluator& evaluator, Random& random) {
   std::vector<Simplex> population;
   for (int i = 0; i < options.population && !allowance.spent(); ++i)
@@ -66,7 +66,7 @@ void evolve(const HybridOptions& options, const Allowance& allowance, Evaluator&
     const std::size_t half = population.size() / 2;
     const std::vector<Simplex> parents(population.begin(), population.begin() + half);
     for (std::size_t i = 0; i < population.size() && !allowance.spent(); ++i) {
-      // Parents are sorted: of two, the one drawn lower is the better.
+      // The parents are sorted, so of two numbers drawn the lower one is the better parent.
       const auto [a, b] = std::minmax({random.below(half), random.below(half)});
       Simplex child =
           i < half ? swap_vertices(parents[a], parents[b], random) : mix_vertices(parents[a], parents[b], evaluator);

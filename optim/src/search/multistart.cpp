@@ -6,8 +6,8 @@
 namespace rectilin {
 namespace {
 
-/// A local method from many uniformly random starts. The defaults, thirty runs of Nelder and Mead's
-/// method, are how this measure is computed in public code.
+/// A local method from many uniformly random starts. The defaults, thirty runs of Nelder and Mead's method, are how
+/// public implementations compute this measure.
 struct MultistartOptions {
   std::string local = "nelder-mead";
   int starts = 30;
@@ -25,7 +25,7 @@ class Multistart final : public OptimizerWith<MultistartOptions> {
 
  private:
   std::shared_ptr<const Optimizer> optimizer_;
-  const LocalSearch* local_;  ///< the same object
+  const LocalSearch* local_;  ///< the same object as a local search
 };
 
 void MultistartOptions::bind(Parameters& table) {

@@ -5,9 +5,8 @@
 namespace rectilin {
 namespace {
 
-/// Nelder and Mead (1965) on rotations, see simplex.h. On kinks a simplex may flatten and stop
-/// short of a minimum; a new one, set up where it stopped, finds out (Kelley 1999);
-/// papers/optimizers.md says how often.
+/// Nelder and Mead (1965) on rotations, see simplex.h. At kinks a simplex may become flat and stop short of a minimum.
+/// A new simplex where it stopped shows whether it did (Kelley 1999); papers/optimizers.md says how often that happens.
 struct NelderMeadOptions {
   double size = 0.3;
   double tolerance = 1e-9;
@@ -16,10 +15,10 @@ struct NelderMeadOptions {
 };
 
 void NelderMeadOptions::bind(Parameters& table) {
-  table.real("size", size, 1e-12, 1.5, "edge of the first simplex, radians")
-      .real("tolerance", tolerance, 1e-15, 1, "a smaller simplex has converged, radians")
+  table.real("size", size, 1e-12, 1.5, "edge of the first simplex (radians)")
+      .real("tolerance", tolerance, 1e-15, 1, "a simplex smaller than this (radians) has converged")
       .integer("restarts", restarts, 0, 1000000,
-               "new simplices, each a tenth as large as the one before, at the point converged to");
+               "further simplices at the point of convergence, each a tenth as large as the one before");
 }
 
 void nelder_mead(const NelderMeadOptions& options, const Rotation& start, Evaluator& evaluator, const Domain&,

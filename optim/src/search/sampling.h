@@ -1,4 +1,4 @@
-// Values at a sequence of rotations, in batches.
+// Evaluates a sequence of rotations in batches.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace rectilin {
 /// Evaluates sample(0), ..., sample(count - 1), in this order, until the budget is spent.
 template <class Sample>
 void evaluate_all(Evaluator& evaluator, std::uint64_t count, Sample sample) {
-  constexpr std::uint64_t kBatch = 1024;  // enough to share out among threads, little enough to stop in time
+  constexpr std::uint64_t kBatch = 1024;  // large enough for all threads, small enough to stop soon
   std::vector<Rotation> rotations;
   std::vector<double> values;
   for (std::uint64_t i = 0; i < count && !evaluator.exhausted();) {

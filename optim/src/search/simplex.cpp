@@ -9,7 +9,7 @@
 namespace rectilin {
 namespace {
 
-/// The chordal mean: minimises the sum of squared distances of matrices, for nearby rotations.
+/// The chordal mean: for nearby rotations it minimises the sum of squared distances of the matrices.
 Rotation mean(const Rotation& a, const Rotation& b, const Rotation& c) {
   const Eigen::Vector4d qa = a.quaternion().coeffs();
   Eigen::Vector4d sum = qa;
@@ -33,7 +33,7 @@ Rotation along_geodesic(const Rotation& a, const Rotation& b, double t) {
 
 Simplex Simplex::around(const Rotation& start, double size, Evaluator& evaluator, Random& random) {
   const Eigen::Matrix3d orientation = random_rotation(random).matrix();
-  // Three edges from one corner of a regular tetrahedron: diagonals of the faces of a cube.
+  // Three edges of a regular tetrahedron that meet in a corner: diagonals of the faces of a cube.
   const Eigen::Matrix3d edges = (Eigen::Matrix3d() << 0, 1, 1, 1, 0, 1, 1, 1, 0).finished() / std::sqrt(2.0);
   std::array<Vertex, 4> vertices;
   vertices[0] = {start, evaluator.value(start)};

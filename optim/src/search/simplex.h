@@ -8,9 +8,8 @@
 
 namespace rectilin {
 
-/// The method of Nelder and Mead (1965) carried over to rotations: the straight line from the worst
-/// vertex through the centre of the others becomes the geodesic. Its vertices stay in order, the
-/// best first.
+/// The method of Nelder and Mead (1965) for rotations: geodesics replace the straight lines from the worst vertex
+/// through the centre of the others. The vertices stay sorted, the best first.
 class Simplex {
  public:
   struct Vertex {
@@ -18,19 +17,19 @@ class Simplex {
     double value;
   };
 
-  /// A regular simplex in the tangent space at `start`, one vertex there; edges of about `size`
-  /// radians, random orientation. Evaluates its vertices.
+  /// A regular simplex in the tangent space at `start`, with one vertex there, edges of about `size` radians and a
+  /// random orientation. Evaluates its vertices.
   static Simplex around(const Rotation& start, double size, Evaluator& evaluator, Random& random);
 
-  /// Vertices whose values are known. Copies under frame_symmetries() are replaced by those next to
-  /// the first.
+  /// A simplex of vertices whose values are known. Each is replaced by its copy under frame_symmetries() that is
+  /// nearest to the first one.
   explicit Simplex(std::array<Vertex, 4> vertices);
 
-  /// One iteration: reflects, expands, contracts or shrinks. One to five evaluations; past the
-  /// budget nothing changes but the vertices' places.
+  /// One iteration: reflects, expands, contracts or shrinks, with one to five evaluations. Past the budget it may move
+  /// vertices but cannot improve on the best one.
   void step(Evaluator& evaluator);
 
-  /// The largest angle between the best vertex and another, radians.
+  /// The largest angle, in radians, between the best vertex and another one.
   double radius() const;
 
   const Vertex& best() const { return vertices_[0]; }
@@ -45,7 +44,7 @@ class Simplex {
 /// The copy of `rotation` under frame_symmetries() that is nearest to `reference`.
 Rotation nearest_copy(const Rotation& rotation, const Rotation& reference);
 
-/// The point at `t` on the shortest geodesic from a (t = 0) through b (t = 1), t any real number.
+/// The point at parameter `t`, any real number, on the shortest geodesic that runs from a (t = 0) through b (t = 1).
 Rotation along_geodesic(const Rotation& a, const Rotation& b, double t);
 
 }  // namespace rectilin

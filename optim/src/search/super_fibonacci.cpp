@@ -11,17 +11,16 @@
 namespace rectilin {
 namespace {
 
-/// The rotations of a super-Fibonacci spiral (Alexa 2022): a sequence on the sphere of unit
-/// quaternions, spread more evenly than random ones. The number of points is part of the sequence:
-/// all change with it. If only a time limit is set, one spiral after the other, each of twice
-/// as many points.
+/// The rotations of a super-Fibonacci spiral (Alexa 2022): a sequence on the sphere of unit quaternions that is spread
+/// more evenly than random ones. The whole sequence depends on the number of points. If only a time limit is set, one
+/// spiral follows another, each with twice as many points.
 struct SuperFibonacciOptions {
   int count = 0;
   void bind(Parameters& table);
 };
 
 void SuperFibonacciOptions::bind(Parameters& table) {
-  table.integer("count", count, 0, 2000000000, "points; 0: what is left of the budget, 10,000 if it has no limit");
+  table.integer("count", count, 0, 2000000000, "points; 0: what is left of the budget, or 10,000 if it has no limit");
 }
 
 void search_spirals(const SuperFibonacciOptions& options, Evaluator& evaluator, const Domain&, Random&) {
@@ -35,8 +34,7 @@ void search_spirals(const SuperFibonacciOptions& options, Evaluator& evaluator, 
 }  // namespace
 
 Rotation super_fibonacci(std::uint64_t i, std::uint64_t count) {
-  // Two circles turned through by angles without a common measure: psi^4 = psi + 4 (Alexa 2022,
-  // section 4).
+  // The spiral turns along two circles by incommensurable angles: psi^4 = psi + 4 (Alexa 2022, section 4).
   constexpr double kPhi = std::numbers::sqrt2, kPsi = 1.533751168755204288118041;
   const double s = static_cast<double>(i) + 0.5, t = s / static_cast<double>(count);
   const double alpha = 2 * std::numbers::pi * s / kPhi, beta = 2 * std::numbers::pi * s / kPsi;

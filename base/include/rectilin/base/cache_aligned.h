@@ -1,4 +1,4 @@
-// Arrays that begin on a cache line of their own.
+// Arrays that share no cache line with anything else, so that aligned vector loads never straddle two lines.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace rectilin {
 
-/// Memory that begins at a multiple of 128 bytes: two cache lines, which some processors fetch as a pair.
+/// Allocates memory at multiples of 128 bytes: two cache lines, because some processors fetch lines in pairs.
 template <class T>
 struct CacheAlignedAllocator {
   using value_type = T;

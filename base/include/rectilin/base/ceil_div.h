@@ -1,4 +1,4 @@
-// A quotient rounded up.
+// Integer division that rounds up: ceil_div(7, 3) is 3.
 #pragma once
 
 #include <cstddef>

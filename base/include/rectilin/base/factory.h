@@ -1,4 +1,4 @@
-// Tables of things that are made from text: optimizers, shapes, poses, views, descriptors.
+// Tables of things that are made from text, such as `ga?population=100`: optimizers, shapes, poses, views, descriptors.
 #pragma once
 
 #include <algorithm>
@@ -12,40 +12,40 @@
 
 namespace rectilin {
 
-/// Throws the ParameterError for a name that is not known: "no KIND 'NAME'; did you mean 'NEAREST'? There are ...".
-/// The nearest name is suggested if a few typing errors lead to it.
+/// Throws the ParameterError for an unknown name: "no KIND 'NAME'; did you mean 'NEAREST'? There are ...". A nearest
+/// name is suggested only if it is a few typing errors away.
 [[noreturn]] void throw_unknown_name(std::string_view kind, std::string_view name,
                                      const std::vector<std::string>& known);
 
-/// What can be made by name, with its settings: `NAME?key=value&key=value`, as Spec reads it.
+/// A table of things that can be made from a name and settings, written `NAME?key=value&key=value` (see Spec).
 ///
-/// Each entry has an options struct whose member `bind(Parameters&)` names its fields, and a function that makes a T
-/// of such options and of what else the caller hands over (`Context`):
+/// Each entry has an options struct, whose member `bind(Parameters&)` names its fields, and a function that makes a T
+/// from such options and from whatever else the caller passes to make() (`Context`):
 ///
 ///     Factory<Mesh> shapes("shape");
 ///     shapes.add("box", "a cuboid", BoxOptions(), make_box);       // Mesh make_box(const BoxOptions&)
 ///     const Mesh mesh = shapes.make("box?x=2");
 ///
-/// A value type: copy a table and add your own entries. Const members are thread safe.
+/// A value type: copy a table and add entries of your own. Const members are thread safe.
 template <class T, class... Context>
 class Factory {
  public:
   struct Entry {
     std::string name, help;
-    std::vector<Parameters::Description> parameters;  ///< with their defaults
+    std::vector<Parameters::Description> parameters;  ///< the settings it accepts, with their defaults
     std::function<T(const Json& settings, Context... context)> make;
   };
 
-  /// `kind` is what errors call an entry, in the singular.
+  /// `kind` names an entry in error messages, in the singular: "shape", "optimizer".
   explicit Factory(std::string kind) : kind_(std::move(kind)) {}
 
-  /// `maker(options, context...)` makes the thing from `defaults` with the settings applied.
+  /// `maker(options, context...)` makes the thing; its options are `defaults` with the user's settings applied.
   template <class Options, class Maker>
   Factory& add(std::string name, std::string help, Options defaults, Maker maker) {
     return add(entry(std::move(name), std::move(help), std::move(defaults), std::move(maker)));
   }
 
-  /// The same entry outside of a table.
+  /// Builds such an entry without adding it to a table.
   template <class Options, class Maker>
   static Entry entry(std::string name, std::string help, Options defaults, Maker maker) {
     Options shown = defaults;

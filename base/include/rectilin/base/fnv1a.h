@@ -1,4 +1,4 @@
-// A hash that is the same on every machine.
+// A hash that gives the same number on every machine, so that it can be stored and compared later.
 #pragma once
 
 #include <bit>
@@ -7,14 +7,14 @@
 
 namespace rectilin {
 
-/// FNV-1a with 64 bits (Fowler, Noll and Vo 1991): tells equal sequences from others, but not against an adversary.
+/// The 64-bit hash FNV-1a (Fowler, Noll and Vo 1991). Good against accidental collisions; an adversary can make them.
 class Fnv1a {
  public:
   Fnv1a& add(std::string_view text) {
     for (const char c : text) step(static_cast<unsigned char>(c));
     return *this;
   }
-  /// All bits in one step.
+  /// Takes all 64 bits of the number in one step, unlike the standard FNV-1a, which goes byte by byte.
   Fnv1a& add(double number) {
     step(std::bit_cast<std::uint64_t>(number));
     return *this;

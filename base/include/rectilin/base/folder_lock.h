@@ -1,4 +1,4 @@
-// One program at a time writes into a folder.
+// A lock on a folder, so that two programs do not write into it at once.
 #pragma once
 
 #include <fcntl.h>
@@ -11,10 +11,11 @@
 
 namespace rectilin {
 
-/// Holds a folder, until it goes or the program ends in whatever way.
+/// Holds the lock as long as it lives. The system releases it when the program ends, however it ends.
 class FolderLock {
  public:
-  /// Throws std::runtime_error if another program holds the folder. One that cannot be locked is left to the others.
+  /// Throws std::runtime_error if another program holds the folder. A folder that cannot be locked, as on some network
+  /// file systems, is used without a lock.
   explicit FolderLock(const std::filesystem::path& folder) : file_(open(folder.c_str(), O_RDONLY | O_DIRECTORY)) {
     if (file_ < 0 || flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
     close(file_);

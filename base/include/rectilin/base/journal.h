@@ -1,4 +1,5 @@
-// A file of one JSON value a line that grows while work is done and survives an end at any moment.
+// A file with one JSON value a line, appended to while work is done. It stays readable if the program ends at any
+// moment: at worst its last line is cut off.
 #pragma once
 
 #include <filesystem>
@@ -11,12 +12,13 @@
 
 namespace rectilin {
 
-/// The values of the file's lines; none if there is no file. A last line that was cut off is removed from the
-/// file. Throws std::runtime_error for any other line that is not JSON.
+/// Reads the values of a journal's lines; none if there is no file. If the last line was cut off, it is removed from
+/// the file, so that new lines can be appended. Throws std::runtime_error for any other line that is not JSON.
 std::vector<Json> recover_journal(const std::filesystem::path& file);
 
-/// Calls `use(value)` for each value of a journal, in order. Json::exception and std::out_of_range, which say that a
-/// line is of another kind, become std::runtime_error with the file and the line.
+/// Calls `use(value)` for each value of a journal, in order. If `use` throws Json::exception or std::out_of_range,
+/// because the value is not of the form that it expects, that becomes a std::runtime_error that names the file and
+/// the line.
 template <class Use>
 void for_each_line(const std::filesystem::path& file, const std::vector<Json>& values, const Use& use) {
   std::size_t line = 0;
@@ -26,20 +28,20 @@ void for_each_line(const std::filesystem::path& file, const std::vector<Json>& v
     try {
       use(value);
     } catch (const Json::exception&) {
-      throw std::runtime_error(place() + "not what this program writes there");
+      throw std::runtime_error(place() + "not a line that this program writes");
     } catch (const std::out_of_range& e) {
       throw std::runtime_error(place() + e.what());
     }
   }
 }
 
-/// Appends lines. Not thread safe.
+/// Appends lines to a journal. Not thread safe.
 class Journal {
  public:
   /// Throws std::runtime_error if the file cannot be opened.
   explicit Journal(const std::filesystem::path& file);
 
-  /// Writes the line through to the operating system. Throws std::runtime_error if that fails.
+  /// Appends one line and hands it to the operating system at once. Throws std::runtime_error if that fails.
   void append(const Json& value);
 
  private:

@@ -1,4 +1,5 @@
-// The project's JSON value, declared: for headers that only name it. parameters.h defines it.
+// A forward declaration of the project's JSON type, for headers that only mention it: the full header takes seconds to
+// compile. parameters.h includes the definition.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -6,10 +7,11 @@
 
 namespace rectilin {
 
-/// An object keeps its keys in the order in which they were written.
+/// Objects keep their keys in the order in which they were added.
 using Json = nlohmann::ordered_json;
 
-/// On one line or indented. Bytes that are not UTF-8, as names of files may have, are replaced.
+/// The value as text: on one line, or indented by `indent` spaces. Bytes that are not UTF-8, which file names may
+/// contain, are replaced.
 std::string to_text(const Json& value, int indent = -1);
 
 }  // namespace rectilin

@@ -1,4 +1,5 @@
-// Named settings for everything that is made from a string: optimizers, shapes.
+// Settings given as text, `NAME?key=value`, for everything that is made by name: optimizers, shapes,
+// poses, descriptors.
 #pragma once
 
 #include <array>
@@ -15,8 +16,8 @@
 
 namespace rectilin {
 
-/// A name and its settings as typed on a command line: `NAME?key=value&key=value`. A value that reads
-/// as a JSON number, boolean or null is one; any other is a string.
+/// A name and its settings as typed on a command line: `NAME?key=value&key=value`. A value that reads as a JSON number,
+/// boolean or null becomes one; any other value is a string.
 struct Spec {
   std::string name;
   Json settings = Json::object();
@@ -25,13 +26,13 @@ struct Spec {
   static Spec parse(std::string_view text);
 };
 
-/// Reads the string "x,y,z", each number within [lower, upper]. Returns false and changes nothing if the
-/// value is anything else.
+/// Reads three numbers "x,y,z", each within [lower, upper], into `target`. Returns false, and leaves `target` alone, if
+/// the value is anything else.
 bool read_vector3(const Json& value, std::array<double, 3>& target, double lower, double upper);
 
-/// Binds the fields of an options struct to names, ranges and one line of help each, so that one table
-/// serves reading, checking, writing and documenting them. Holds references: it must not outlive the
-/// fields it binds.
+/// Connects the fields of an options struct with names, accepted ranges and a line of help each, so that one table
+/// serves to read settings, check them, write them and document them. It holds references to the fields and must not
+/// outlive them.
 class Parameters {
  public:
   Parameters& integer(std::string name, int& target, int lower, int upper, std::string help);
@@ -42,11 +43,12 @@ class Parameters {
   /// Three numbers, see read_vector3().
   Parameters& vector3(std::string name, std::array<double, 3>& target, double lower, double upper, std::string help);
 
-  /// Any other kind of value, `accepts` in words; `assign` returns false if a value is not acceptable.
+  /// A setting of any other kind. `accepts` says in words what is accepted, and `assign` returns false for a value that
+  /// is not.
   Parameters& custom(std::string name, std::string accepts, std::function<bool(const Json&)> assign,
                      std::function<Json()> read, std::string help);
 
-  /// One of a few words, each standing for a value of an enumeration.
+  /// A choice among a few words, each standing for a value of an enumeration.
   template <class Enum>
   Parameters& choice(std::string name, Enum& target, std::vector<std::pair<std::string, Enum>> words,
                      std::string help) {
@@ -62,17 +64,17 @@ class Parameters {
         std::move(help));
   }
 
-  /// Sets the fields named in `settings`, a JSON object. `owner` names the thing in errors. Throws
-  /// ParameterError for an unknown name, a wrong type or a value out of range; fields set before the
-  /// error stay set.
+  /// Sets the fields named in `settings`, a JSON object. `owner` is what error messages call the thing that is set.
+  /// Throws ParameterError for an unknown name, a wrong type or a value out of range; fields set before the error keep
+  /// their new values.
   void set(const Json& settings, std::string_view owner);
 
-  /// All fields with their present values, in the order they were bound.
+  /// All fields with their current values, in the order in which they were bound.
   Json values() const;
 
   struct Description {
     std::string name, accepts, help;
-    Json value;  ///< present value; the default when asked of a fresh options struct
+    Json value;  ///< its current value; the default, in a newly made options struct
   };
   std::vector<Description> describe() const;
 

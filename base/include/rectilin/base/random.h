@@ -8,15 +8,15 @@
 
 namespace rectilin {
 
-/// A seeded source of random numbers. The standard fixes the bits of mt19937_64 but not those of its
-/// distributions, so the few distributions needed are defined here. Not thread safe: give each task
-/// its own, made by fork().
+/// A seeded source of random numbers. The C++ standard fixes the bits of mt19937_64 but not those of its distributions,
+/// so the few distributions that are needed are defined here. Not thread safe: give each task a generator of its own,
+/// made by fork().
 class Random {
  public:
   explicit Random(std::uint64_t seed) : seed_(seed), engine_(mix(seed)) {}
 
-  /// An independent stream for task `index`; depends on the seed and the index alone, never on what
-  /// was drawn before.
+  /// An independent stream for task `index`. It depends on the seed and the index alone, never on how many numbers were
+  /// drawn before.
   Random fork(std::uint64_t index) const { return Random(mix(seed_ + 1) ^ mix(~index)); }
 
   std::uint64_t bits() { return engine_(); }
@@ -38,7 +38,7 @@ class Random {
 
   bool chance(double probability) { return uniform() < probability; }
 
-  /// Standard normal (Box-Muller, one value a call).
+  /// Standard normal (Box-Muller, which makes one value for each call here).
   double normal() {
     const double radius = std::sqrt(-2.0 * std::log1p(-uniform()));
     return radius * std::cos(2.0 * std::numbers::pi * uniform());

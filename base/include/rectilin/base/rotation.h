@@ -1,4 +1,4 @@
-// Rotations of the coordinate frame.
+// Rotations of the coordinate frame: the search space of everything here.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,16 +9,16 @@
 
 namespace rectilin {
 
-/// A proper rotation R. Its rows are the axes of the rotated frame: R v holds the coordinates of v in
-/// that frame, and P(R) = h(row 1) + h(row 2) + h(row 3).
+/// A proper rotation R. Its rows are the axes of the rotated frame: R v holds the coordinates of v in that frame, and
+/// P(R) = h(row 1) + h(row 2) + h(row 3).
 class Rotation {
  public:
   Rotation() : matrix_(Eigen::Matrix3d::Identity()) {}
 
-  /// The caller promises that `m` is orthonormal with determinant +1 up to rounding.
+  /// `m` must be orthonormal with determinant +1, up to rounding; this is not checked.
   static Rotation from_matrix(const Eigen::Matrix3d& m) { return Rotation(m); }
 
-  /// q need not be of unit length, but must not be zero.
+  /// q may have any length but zero.
   static Rotation from_quaternion(const Eigen::Quaterniond& q) { return Rotation(q.normalized().toRotationMatrix()); }
 
   const Eigen::Matrix3d& matrix() const { return matrix_; }
@@ -36,32 +36,33 @@ class Rotation {
   Eigen::Matrix3d matrix_;
 };
 
-/// The paper's R(alpha, beta, gamma), eqs. (35)-(37): turns about x, then y, then z. Radians. The third
-/// row depends on alpha and beta alone, bit for bit.
+/// The paper's R(alpha, beta, gamma), eqs. (35)-(37): turns about x, then y, then z, in radians. The third row depends
+/// on alpha and beta alone, bit for bit, so rotations that differ in gamma alone can share work.
 Rotation rotation_from_euler(double alpha, double beta, double gamma);
 
-/// The angles of eqs. (35)-(37) that give this rotation: alpha and gamma in (-pi, pi], beta in
-/// [-pi/2, pi/2]. At beta = +-pi/2, where only alpha +- gamma is determined, gamma is 0.
+/// The angles of eqs. (35)-(37) that give this rotation: alpha and gamma in (-pi, pi], beta in [-pi/2, pi/2]. At beta =
+/// +-pi/2, where only alpha +- gamma is determined, gamma is 0.
 Eigen::Vector3d euler_from_rotation(const Rotation& rotation);
 
-/// Rodrigues vector rho = tan(angle / 2) * axis, in radians.
+/// The rotation with Rodrigues vector rho = tan(angle / 2) * axis.
 Rotation rotation_from_rodrigues(const Eigen::Vector3d& rho);
 
-/// The rotation by `turn`: its direction is the axis, its length the angle in radians.
+/// The rotation about the direction of `turn` by its length, in radians.
 Rotation rotation_from_vector(const Eigen::Vector3d& turn);
 
-/// Uniform with respect to the invariant (Haar) measure (Shoemake 1992).
+/// A random rotation, uniform with respect to the invariant (Haar) measure (Shoemake 1992).
 Rotation random_rotation(Random& random);
 
-/// Angle of the rotation that takes a to b, in [0, pi].
+/// The angle, in [0, pi], of the rotation that takes a to b.
 double angle_between(const Rotation& a, const Rotation& b);
 
-/// The 24 proper rotations that map the coordinate axes onto themselves: D R has the same axes as R, in
-/// another order and with other signs, so an objective of the frame gives both the same value.
+/// The 24 proper rotations D that map the coordinate axes onto themselves. D R has the same three axes as R, in another
+/// order and with other signs, so an objective of the frame has the same value at both.
 std::span<const Rotation> frame_symmetries();
 
-/// The rotation D R, D in frame_symmetries(), of the smallest angle: it lies in the cubic fundamental
-/// zone |rho_i| <= sqrt(2)-1, |rho_1|+|rho_2|+|rho_3| <= 1, one representative of each frame.
+/// The one of the 24 rotations D R, D in frame_symmetries(), with the smallest angle. It lies in the cubic fundamental
+/// zone, |rho_i| <= sqrt(2)-1 and |rho_1|+|rho_2|+|rho_3| <= 1 in its Rodrigues vector, which holds one representative
+/// of each frame.
 Rotation reduce_to_zone(const Rotation& rotation);
 
 /// Angle between two frames: the smallest angle_between(a, D b) over D in frame_symmetries().

@@ -7,8 +7,8 @@
 
 namespace rectilin {
 
-/// The system's words for an error number, to stand behind a colon: "permission denied", "file name too long",
-/// "no space left on device".
+/// The system's message for an error number, in small letters so that it can follow a colon: "permission denied", "file
+/// name too long", "no space left on device".
 std::string system_reason(int error_number);
 
 inline std::string system_reason(const std::error_code& error) {

@@ -1,5 +1,4 @@
-// Files that are being written under names of their own, so that nothing is left of them when a signal ends the
-// program.
+// Temporary files for atomic writes, which leave nothing behind when a signal ends the program.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +7,15 @@
 
 namespace rectilin {
 
-/// A new file in a folder that no other program knows, open for writing. It goes away with this object unless it has
-/// become something.
+/// A new file in a folder, open for writing, which no other program knows of. Its destructor removes it unless become()
+/// has turned it into the file it was meant to be.
 ///
-/// Where the system can, it has no name until it becomes something: then not even SIGKILL leaves it behind. Else it
-/// is called `.rectilin-` and 16 random digits, a name that is free when it is chosen: nobody's file is touched, and
-/// the name is short enough wherever files can be made.
+/// On systems that can do so the file has no name until then, so that not even SIGKILL leaves it behind. Elsewhere it
+/// is called `.rectilin-` and 16 random hexadecimal digits, a name that nothing else has when it is chosen and that is
+/// short enough for any file system.
 class UnfinishedFile {
  public:
-  /// `named` forbids the way without a name. Throws std::system_error.
+  /// With `named` the file has a name from the beginning. Throws std::system_error if no file can be made.
   explicit UnfinishedFile(const std::filesystem::path& folder, bool named = false);
   ~UnfinishedFile();
   UnfinishedFile(const UnfinishedFile&) = delete;
@@ -25,9 +24,10 @@ class UnfinishedFile {
   int descriptor() const { return descriptor_; }
   bool named() const { return !name_.empty(); }
 
-  /// Gives the file a name of its own if it has none; false if the system cannot do that.
+  /// Gives the file a name if it has none; returns false if the system cannot do that.
   bool take_name();
-  /// Takes the place of `file`, which must be in the folder. The file must have a name. Throws std::system_error.
+  /// Renames the file to `file`, in the same folder, replacing what is there. The file must have a name.
+  /// Throws std::system_error.
   void become(const std::filesystem::path& file);
 
  private:
@@ -35,12 +35,12 @@ class UnfinishedFile {
   void forget_name();
 
   std::filesystem::path folder_;
-  std::string name_;  ///< path; empty if it has none
-  std::size_t slot_;  ///< where remove_unfinished_files() finds the name
+  std::string name_;  ///< its path; empty while it has no name
+  std::size_t slot_;  ///< where the name is kept for remove_unfinished_files()
   int descriptor_ = -1;
 };
 
-/// Removes all that have a name. Async-signal-safe: for handlers of signals that end the program.
+/// Removes all unfinished files that have a name. Async-signal-safe: for handlers of signals that end the program.
 void remove_unfinished_files() noexcept;
 
 }  // namespace rectilin

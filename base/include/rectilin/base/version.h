@@ -4,7 +4,7 @@
 namespace rectilin {
 
 const char* version();     ///< such as "0.2.0"
-const char* compiler();    ///< that built it, such as "GNU 12.2.0"
-const char* build_type();  ///< CMake's, such as "Release"
+const char* compiler();    ///< the compiler that built it, such as "GNU 12.2.0"
+const char* build_type();  ///< CMake's build type, such as "Release"
 
 }  // namespace rectilin

@@ -1,4 +1,4 @@
-// Files that are read in one piece, and written whole or not at all.
+// Reading a whole file at once, and atomic writes: the whole file or none of it.
 #pragma once
 
 #include <filesystem>
@@ -7,15 +7,15 @@
 
 namespace rectilin {
 
-/// All bytes of a file, a pipe or a socket; a pipe is read to its end. Devices, which may have none, are refused.
-/// Throws std::runtime_error, "FILE: " and the system's reason.
+/// All bytes of a file, a pipe or a socket; a pipe is read to its end. Devices are refused, as some never end. Throws
+/// std::runtime_error, "FILE: " and the system's reason.
 std::string read_whole_file(const std::filesystem::path& file);
 
-/// Writes a file under another name in the same folder and renames it at the end (see UnfinishedFile), so that a full
-/// disk or an end of the program in between neither leaves half of it nor destroys what was there. What it replaces
-/// hands on its permissions and must be writable; a link stays, and the file it leads to is replaced. Pipes, devices
-/// and links to nowhere are written in place. Throws std::runtime_error, "FILE: cannot be written: " and the system's
-/// reason.
+/// Writes a file so that a full disk, or a program that ends half way, leaves neither half of the new file nor destroys
+/// the old one: the content goes to another file in the same folder, which is renamed at the end (see UnfinishedFile).
+/// A file that is replaced must be writable, and the new one gets its permissions; if the path is a link, the file it
+/// leads to is replaced. Pipes, devices and links that lead nowhere are written in place. Throws std::runtime_error,
+/// "FILE: cannot be written: " and the system's reason.
 void write_whole_file(const std::filesystem::path& file, std::string_view content);
 
 }  // namespace rectilin

@@ -1,4 +1,4 @@
-// A store as a table for other programs.
+// Exports a store as a table for other programs.
 #pragma once
 
 #include <filesystem>
@@ -16,8 +16,8 @@ namespace rectilin::corpus {
 ///             faces, area, rectilinearity, lower, upper, seconds, rotation (3 by 3); NaN, or -1 for faces, where there
 ///             is no result
 ///
-/// Rows that are left to be done are left out. Numbers keep every bit. Memory does not grow with the store. Throws
-/// ParameterError for another extension, std::runtime_error if the file cannot be written.
+/// Meshes that are still to be done are left out. Numbers keep every bit. Memory use does not grow with the store.
+/// Throws ParameterError for another extension, std::runtime_error if the file cannot be written.
 void export_store(Store& store, const std::filesystem::path& file);
 
 }  // namespace rectilin::corpus

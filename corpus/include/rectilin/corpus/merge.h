@@ -1,4 +1,4 @@
-// Many stores into one.
+// Merges stores, such as those of the shards of one collection.
 #pragma once
 
 #include <cstddef>
@@ -9,23 +9,23 @@
 
 namespace rectilin::corpus {
 
-/// A mesh of which two stores say different things.
+/// A mesh about which two stores disagree.
 struct Conflict {
   std::string name, store, reason;
 };
 
 struct MergeSummary {
-  std::size_t rows = 0;         ///< in the target, afterwards
-  std::size_t added = 0;        ///< meshes that were not in it, or of which less was known
-  std::size_t conflicts = 0;    ///< all of them
-  std::vector<Conflict> first;  ///< the first of each store
+  std::size_t rows = 0;         ///< rows in the target after merging
+  std::size_t added = 0;        ///< meshes that the target did not have, or knew less about
+  std::size_t conflicts = 0;    ///< how many conflicts there were
+  std::vector<Conflict> first;  ///< the first conflict of each store
 };
 
-/// Adds the stores' meshes to the target, which is made if it does not exist. Of a mesh in several stores the row that
-/// says most is taken (done, failed, limited, left), and the target's own of two that say as much; two results that
-/// differ, or two digests, are a conflict. Doing it twice changes nothing. Of each store all is added or
-/// nothing, whenever the program ends.
-/// Throws ParameterError if the stores are of different tasks, std::runtime_error if one cannot be read or written.
+/// Adds the meshes of the stores to the target, which is made if it does not exist. If several stores have a mesh, the
+/// row that says most is kept (in this order: done, failed, limited, left); of rows that say as much, the target's own.
+/// Two different results, or two different digests, for one mesh are a conflict. Merging the same store again changes
+/// nothing. A store is added as a whole or not at all, whenever the program ends. Throws ParameterError if the stores
+/// are of different tasks, std::runtime_error if one cannot be read or written.
 MergeSummary merge(std::span<const std::filesystem::path> stores, const std::filesystem::path& target);
 
 }  // namespace rectilin::corpus

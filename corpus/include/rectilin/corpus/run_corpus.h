@@ -1,4 +1,5 @@
-// Work on all meshes of a collection, by processes that may be killed.
+// Works on all meshes of a collection in worker processes, so that a mesh that crashes or hangs the program costs only
+// its own row.
 #pragma once
 
 #include <cstdint>
@@ -16,26 +17,27 @@
 namespace rectilin::corpus {
 
 struct CorpusOptions {
-  /// A program that calls run_worker(3, ...), with its arguments; the first word is a path.
+  /// The command, with its arguments, that starts a worker: a program that calls run_worker(3, ...). Its first word is
+  /// a path.
   std::vector<std::string> worker_command;
-  int workers = 1;                          ///< processes at a time
-  std::optional<double> seconds;            ///< for each mesh, from reading on
-  std::optional<std::uint64_t> memory;      ///< bytes for each worker, beyond what it begins with
-  bool retry = false;                       ///< meshes that failed or were limited, too
-  std::vector<std::filesystem::path> done;  ///< stores of the same task whose meshes need not be done again
+  int workers = 1;                          ///< worker processes at a time
+  std::optional<double> seconds;            ///< time limit for each mesh, reading it included
+  std::optional<std::uint64_t> memory;      ///< bytes that a worker may use on top of what it has when it starts
+  bool retry = false;                       ///< do meshes again that failed or were limited
+  std::vector<std::filesystem::path> done;  ///< other stores of this task: their meshes are skipped
 };
 
 struct CorpusSummary {
-  std::size_t done = 0, failed = 0, limited = 0;  ///< in this run
-  std::size_t copied = 0;                         ///< of those done: meshes that are the same as others
-  std::size_t before = 0;                         ///< were there already
-  std::size_t left = 0;                           ///< because of a stop
+  std::size_t done = 0, failed = 0, limited = 0;  ///< counts of this run
+  std::size_t copied = 0;                         ///< how many of `done` are equal to another mesh and got its result
+  std::size_t before = 0;                         ///< meshes that the store had before
+  std::size_t left = 0;                           ///< meshes not done because of a stop
 };
 
-/// Does the meshes that are in the shard and not yet in the store. Each is read and worked on by a worker; one that
-/// hangs, crashes or takes too much memory costs its own row and a worker, which is replaced. The search may take
-/// `seconds`; a worker that has not answered a second and a tenth after them is killed. Meshes with the same digest are
-/// worked on once. The stop leaves what is in work for the next time. Throws as Store does.
+/// Does the meshes that are in the shard and not yet in the store. Each is read and worked on by a worker process. One
+/// that hangs, crashes or takes too much memory gets a row that says so, and its worker is replaced. The search may
+/// take `seconds`; a worker that is silent for 1.1 times that and one second more is killed. Meshes with the same
+/// digest are worked on once. After a stop the meshes in work are left for the next run. Throws what Store throws.
 CorpusSummary run_corpus(std::span<const NamedSource> meshes, const Shard& shard, Store& store, const Task& task,
                          const CorpusOptions& options, const LoopControl& control = {});
 

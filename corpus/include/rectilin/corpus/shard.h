@@ -1,4 +1,4 @@
-// A collection split among machines that need not know of each other.
+// Splits a collection into parts for machines that do not talk to each other.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +7,12 @@
 
 namespace rectilin::corpus {
 
-/// Part `index` of `count`, 0 <= index < count. Each name is in exactly one part, which depends on the name and the
-/// count alone: parts can be run anywhere, in any order, and the rest of the collection may change.
+/// Part `index` of `count`, 0 <= index < count. Each name belongs to exactly one part, which depends on the name and
+/// the count alone: parts can be run anywhere and in any order, and adding meshes moves no others.
 struct Shard {
   std::uint32_t index = 0, count = 1;
 
-  /// Reads "I/N", 0 <= I < N. Throws ParameterError.
+  /// Reads "I/N" with 0 <= I < N. Throws ParameterError for any other text.
   static Shard parse(std::string_view text);
   bool contains(std::string_view name) const;
   std::string to_string() const;

@@ -1,4 +1,4 @@
-// SQLite's C interface with owners and exceptions.
+// A C++ wrapper of SQLite: objects own what they open, and errors are exceptions.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace rectilin::corpus {
 
 class Database;
 
-/// A prepared statement. Text that is bound must live until step() or run(). Not thread safe.
+/// A prepared statement. Text that is bound must stay valid until step() or run(). Not thread safe.
 class Statement {
  public:
   Statement(Database& database, std::string_view sql);
@@ -27,19 +27,19 @@ class Statement {
   Statement& bind(int parameter, std::span<const std::uint8_t> bytes);  ///< must live as text must
   template <class Value>
   Statement& bind(int parameter, const std::optional<Value>& value) {
-    return value ? bind(parameter, *value) : *this;  // a parameter not bound is NULL
+    return value ? bind(parameter, *value) : *this;  // a parameter that is not bound is NULL
   }
 
-  /// Whether there is a row; without one the statement is ready to be bound anew.
+  /// Goes to the next row; returns false if there is none, and then the statement can be bound anew.
   bool step();
-  /// Runs a statement without rows, or skips them, and makes it ready to be bound anew.
+  /// Runs a statement and ignores its rows, if any; then it can be bound anew.
   void run();
   void reset();
 
   bool is_null(int column) const;
   std::int64_t integer(int column) const;
   double real(int column) const;
-  std::string_view text(int column) const;                ///< until the next step
+  std::string_view text(int column) const;                ///< valid until the next step()
   std::span<const std::uint8_t> bytes(int column) const;  ///< the same
 
  private:
@@ -58,7 +58,7 @@ class Database {
     kHeal,   ///< for reading; what a program that was killed left unfinished is undone first, where the file allows it
   };
 
-  /// Throws std::runtime_error, "FILE: reason", like everything here.
+  /// Throws std::runtime_error, "FILE: reason", as everything here does.
   Database(const std::filesystem::path& file, Mode mode);
 
   void execute(const std::string& sql);
@@ -74,7 +74,7 @@ class Database {
   std::unique_ptr<sqlite3, Close> database_;
 };
 
-/// Undoes what was done since it was made, unless commit() is called.
+/// Undoes everything done during its lifetime, unless commit() is called.
 class Transaction {
  public:
   explicit Transaction(Database& database);

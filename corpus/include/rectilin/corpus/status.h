@@ -1,4 +1,4 @@
-// How far a run is.
+// Progress of a run, read from its store.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,11 @@
 namespace rectilin::corpus {
 
 struct StoreStatus {
-  std::string shard;     ///< of the last run, "I/N"; empty if there was none, as in a merged store
-  bool running = false;  ///< a program is writing to it, on this machine
+  std::string shard;     ///< shard of the last run, "I/N"; empty if none was recorded, as in a merged store
+  bool running = false;  ///< whether a program on this machine is writing to the store
   std::size_t done = 0, failed = 0, limited = 0, left = 0;
   double rate = 0;                     ///< meshes a second, in the last run
-  std::optional<double> seconds_left;  ///< at this rate; none if there is no rate to go by
+  std::optional<double> seconds_left;  ///< estimated from this rate; none if no rate is known
 };
 
 /// Throws std::runtime_error as Store does. The store may be in use.

@@ -1,8 +1,8 @@
-// What is known of a collection's meshes, in a file: one row a mesh.
+// A store: a file that holds one row for each mesh of a collection.
 //
-// A store is an SQLite database that survives the end of the program at any moment: a mesh's row is there as soon as
-// the mesh is done. The names still to be done are rows, too, so that a store tells how far it is. It can be read with
-// `sqlite3 FILE.db` while it is written:
+// A store is an SQLite database. A mesh's row is on record as soon as the mesh is done, whenever the program ends.
+// Meshes still to be done have rows, too, so that a store tells how far it is. It can be read with `sqlite3 FILE.db`
+// while it is written:
 //
 //     meshes   name (the key), source, class, status, digest (of the mesh, see mesh_digest()), columns of the result
 //              (faces, area, rectilinearity, lower, upper), result and report as JSON, error, version (of the program),
@@ -10,7 +10,7 @@
 //     facts    task and settings, the same for all rows
 //     runs     who wrote when, and which shard
 //
-// Results have no times in them, so that equal work gives equal bits.
+// Results contain no times, so that equal work gives equal bits.
 #pragma once
 
 #include <cstdint>
@@ -29,11 +29,11 @@
 
 namespace rectilin::corpus {
 
-/// Stored as these numbers; of two rows of a mesh the one with the higher number counts.
+/// Stored as these numbers. Of two rows for one mesh the one with the higher number is kept.
 enum class RowStatus : std::int64_t {
   kLeft = 0,     ///< not done yet
-  kLimited = 1,  ///< took too long or too much memory, or crashed; `error` says which. Tried again only if asked for
-  kFailed = 2,   ///< cannot be done, for the reason in `error`: the file is no mesh
+  kLimited = 1,  ///< too slow, too large or crashed, as `error` says; tried again only on request
+  kFailed = 2,   ///< not a mesh that can be measured; `error` says why
   kDone = 3,     ///< has a result
 };
 
@@ -50,17 +50,18 @@ struct Row {
   bool operator==(const Row&) const = default;
 };
 
-/// What the rows of a store are results of; stores of different tasks do not mix.
+/// The task whose results a store holds. Stores of different tasks cannot be mixed.
 struct Task {
   std::string name;  ///< "measure"
   Json settings;
 };
 
-/// Not thread safe. Throws std::runtime_error, "FILE: reason", if the file cannot be read or written or is no store.
+/// A store that is open. Not thread safe. Throws std::runtime_error, "FILE: reason", if the file cannot be read or
+/// written or is not a store.
 class Store {
  public:
   /// Opens a store for writing, or makes one. Throws ParameterError if it holds results of another task, and
-  /// std::runtime_error if another program writes to it.
+  /// std::runtime_error if another program is writing to it.
   Store(const std::filesystem::path& file, const Task& task);
   /// Opens a store for reading.
   explicit Store(const std::filesystem::path& file);
@@ -69,16 +70,17 @@ class Store {
 
   Task task() const;
 
-  /// Notes that a run begins, on these meshes: those without a row become rows to be done, and rows to be done of other
-  /// meshes go. With `retry`, meshes that failed or were limited are to be done again. Returns the indices of the
-  /// meshes to be done, in their order. Throws ParameterError if two different sources have one name.
+  /// Records that a run begins on these meshes. Meshes without a row get one that is to be done, and rows still to be
+  /// done of meshes that are not in the list are removed. With `retry`, meshes that failed or were limited are to be
+  /// done again. Returns the indices of the meshes to be done, in their order. Throws ParameterError if two different
+  /// sources have the same name.
   std::vector<std::size_t> begin_run(std::span<const NamedSource> meshes, const Shard& shard, bool retry);
   void end_run();
 
-  /// Replaces the row of that name, for good.
+  /// Replaces the row of that name. Once it returns, the row survives the end of the program.
   void put(const Row& row);
 
-  /// The row of a mesh that is done and has this digest.
+  /// The row of a finished mesh with this digest, if there is one.
   std::optional<Row> find_digest(std::string_view digest);
   std::optional<Row> find(std::string_view name);
 

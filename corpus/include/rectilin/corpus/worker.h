@@ -1,4 +1,4 @@
-// The other end of a corpus' run: a process that does one mesh after another and may die of it.
+// The worker process of run_corpus(): it does one mesh after another, and may crash doing so.
 #pragma once
 
 #include <functional>
@@ -9,21 +9,21 @@
 
 namespace rectilin::corpus {
 
-/// What work on a mesh came to.
+/// The result of the work on one mesh.
 struct WorkResult {
-  Json result;             ///< an object; without times, so that equal meshes have equal results
-  bool time_over = false;  ///< the search ended when its seconds did: the result holds, but more time would better it
+  Json result;             ///< a JSON object, without times, so that equal meshes have equal results
+  bool time_over = false;  ///< the search ran out of time: the result is valid but could be better
 };
 
-/// Does a task's work on a mesh that has been read; throws what is the mesh's fault.
+/// Does the work of a task on a mesh that has been read. It throws if the mesh cannot be done.
 using Work = std::function<WorkResult(const LoadedMesh& mesh)>;
 
-/// Makes the work of a task; throws ParameterError if there is no such task. `seconds` is what a search may take, if
-/// that is limited.
+/// Makes the function that does a task's work; throws ParameterError if there is no such task. `seconds` is the time
+/// that a search may take, if it is limited.
 using MakeWork = std::function<Work(const Task& task, std::optional<double> seconds)>;
 
-/// A worker's life: takes meshes from `socket`, on which run_corpus() sends them, until there are no more. Limits the
-/// memory of this process as it is told to. Returns the exit status.
+/// The main loop of a worker: takes meshes from `socket`, on which run_corpus() sends them, until there are no more. It
+/// limits the memory of its own process as run_corpus() demands. Returns the exit status.
 int run_worker(int socket, const MakeWork& make_work);
 
 }  // namespace rectilin::corpus

@@ -1,4 +1,4 @@
-// The lock of the one program that writes to a store.
+// A lock that lets only one program write to a store.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace rectilin::corpus {
 
-/// One program at a time writes; a file of its own is locked, since SQLite locks the store's. It stays: removing it
-/// would let two programs lock two files of one name.
+/// SQLite locks the store itself, so this locks a file beside it. That file is never removed: if it were, two programs
+/// could hold locks on two different files of that name.
 class WriterLock {
  public:
   /// Waits for two seconds at most. Throws std::runtime_error if another program holds it still, or if the folder

@@ -1,4 +1,4 @@
-// The ledger: from JSON to claims, and to a table.
+// The ledger of claims: reads it from JSON and prints it as a table.
 #include "rectilin/paper/claims.h"
 
 #include <sstream>
@@ -23,7 +23,7 @@ Claim claim_from_json(const Json& entry) {
   return claim;
 }
 
-/// A cell of a Markdown table may not hold a bar.
+/// The text as a cell of a Markdown table, which must not contain a bar.
 std::string cell(const std::string& text) {
   std::string escaped;
   for (const char c : text) {

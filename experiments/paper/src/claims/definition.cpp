@@ -17,8 +17,8 @@ Vector3 random_angles(Random& random) {
   return 2 * std::numbers::pi * Vector3(random.uniform(), random.uniform(), random.uniform());
 }
 
-/// Calls face(eta') for every triangle, eta' as in eq. (5). In extended precision where the
-/// platform has it, so that a mesh far from the origin loses nothing in turning.
+/// Calls face(eta') for every triangle, with eta' as in eq. (5), in extended precision where the platform has it, so
+/// that turning a mesh far from the origin loses no digits.
 template <class Face>
 void for_each_turned_face(const Mesh& mesh, const Eigen::Matrix3d& rotation, Face face) {
   const LongMatrix r = rotation.cast<long double>();
@@ -32,7 +32,7 @@ void for_each_turned_face(const Mesh& mesh, const Eigen::Matrix3d& rotation, Fac
 }  // namespace
 
 Rotation frame_turned(double alpha, double beta, double gamma) {
-  // Turning a frame by an angle turns coordinates by its negative.
+  // Turning the frame by an angle turns the coordinates by the opposite angle.
   const auto turned = [](double angle, int axis) {
     return Eigen::AngleAxisd(-angle, Vector3::Unit(axis)).toRotationMatrix();
   };
@@ -66,7 +66,7 @@ Finding check_definition(const TestMesh& tested, Random random, EulerConvention 
     const double margin = rounding - std::abs(tested.objective->value(rotation) - expected);
     if (margin < finding.margin) finding.margin = margin, finding.rotation = rotation;
   }
-  finding.margin = std::min(finding.margin, 0.0);  // an allowance for rounding is no margin
+  finding.margin = std::min(finding.margin, 0.0);  // the allowance for rounding does not count as a margin
   return finding;
 }
 

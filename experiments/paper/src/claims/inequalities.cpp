@@ -9,7 +9,7 @@ namespace {
 
 const double kSqrt3 = std::sqrt(3.0);
 
-/// Some random rotations, the best one, and one that takes the first face's normal to `target`.
+/// Some random rotations, the best rotation, and one that takes the normal of the first face to `target`.
 std::vector<Rotation> rotations_for(const TestMesh& tested, Random& random, const Vector3& target) {
   std::vector<Rotation> rotations{tested.best.rotation};
   for (int i = 0; i < 4; ++i) rotations.push_back(random_rotation(random));
@@ -17,7 +17,7 @@ std::vector<Rotation> rotations_for(const TestMesh& tested, Random& random, cons
   return rotations;
 }
 
-/// The least of room(|R n|_1) over faces with normal n and rotations R.
+/// The least value of room(|R n|_1) over all faces, with normals n, and all rotations R.
 template <class Room>
 Finding check_faces(const TestMesh& tested, const std::vector<Rotation>& rotations, Room room) {
   Finding finding{.where = tested.source};

@@ -1,17 +1,17 @@
-// Eqs. (8), (9) and (12): a triangle, and a mesh, against its projections.
+// Eqs. (8), (9) and (12): the area of a triangle, and of a mesh, compared with the areas of its projections.
 #pragma once
 
 #include "claims/tests.h"
 
 namespace rectilin::paper::claims {
 
-/// Eq. (8) over all faces, at random rotations and where a face is parallel to a plane (equality).
+/// Eq. (8) for all faces, at random rotations and where a face is parallel to a plane, which gives equality.
 Finding check_lower_per_face(const TestMesh& tested, Random random);
 
-/// Eq. (9), also where a face looks at all three planes alike (equality).
+/// Eq. (9), also where a face is inclined equally to all three planes, which gives equality.
 Finding check_upper_per_face(const TestMesh& tested, Random random);
 
-/// Eq. (12), at random rotations, at the best one and at the worst one found.
+/// Eq. (12), at random rotations, at the best one and at the worst one that was found.
 Finding check_bounds_of_mesh(const TestMesh& tested, Random random);
 
 /// The greatest P/S among `count` random rotations.

@@ -10,7 +10,7 @@
 namespace rectilin::paper::claims {
 namespace {
 
-/// Distance of `expected` from the certified enclosure of R, as a margin.
+/// The distance of `expected` from the certified bounds of R, as a margin.
 Finding compare(const std::string& source, double expected) {
   const Enclosure best = enclose(load_mesh(source).mesh);
   const double off = std::max({best.least_r() - expected, expected - best.greatest_r(), 0.0});

@@ -16,8 +16,8 @@ struct Interval {
   double begin = 0, length = 0;
 };
 
-/// The longest interval of gamma, the frame turning about its third axis, in which no face becomes
-/// parallel to axis 1 or 2.
+/// The longest interval of gamma, as the frame turns about its third axis, in which no face becomes parallel to axis 1
+/// or 2.
 Interval longest_without_kinks(const AreaVectors& vectors, const Rotation& frame) {
   constexpr double kPeriod = std::numbers::pi / 2;
   std::vector<double> kinks;

@@ -17,7 +17,7 @@ struct Cell {
   Vector3 centre;  // alpha, beta, gamma
   Vector3 half;
   double lower;
-  std::uint64_t number;  // of equal bounds the older cell comes first
+  std::uint64_t number;  // of cells with equal bounds the older one comes first
 
   bool operator<(const Cell& other) const { return lower != other.lower ? lower > other.lower : number > other.number; }
   double radius() const { return std::hypot(half[0] + half[2], half[1]); }
@@ -80,8 +80,8 @@ class Search {
       else closed_ = std::min(closed_, cell.lower);
   }
 
-  /// Turns about the third axis stay in the box, up to quarter turns, and the best of them costs a
-  /// sort.
+  /// Improves a rotation by turns about the third axis: they stay in the box, up to quarter turns, and the best one
+  /// costs only a sort.
   void improve(const Rotation& rotation, double value) {
     best_.rotation = rotation;
     best_.found = value;
@@ -94,8 +94,7 @@ class Search {
   double gap_;
   std::priority_queue<Cell> open_;
   std::uint64_t count_ = 0;
-  double closed_ = std::numeric_limits<double>::infinity();  // least bound of the cells that need
-                                                             // no more division
+  double closed_ = std::numeric_limits<double>::infinity();  // least bound of the cells that are done
   Enclosure best_{.found = std::numeric_limits<double>::infinity()};
 };
 

@@ -25,7 +25,7 @@ Finding sphere_finding(const std::vector<std::string>& sources) {
     values += (values.empty() ? "R = " : ", ") + std::to_string(best.greatest_r());
     finding.margin = std::min(finding.margin, best.least_r());
   }
-  // Least squares: the exponent of R as a power of the number of faces.
+  // The exponent of R as a power of the number of faces, by least squares.
   const auto n = static_cast<double>(x.size());
   double sx = 0, sy = 0, sxx = 0, sxy = 0;
   for (std::size_t i = 0; i < x.size(); ++i) sx += x[i], sy += y[i], sxx += x[i] * x[i], sxy += x[i] * y[i];
@@ -76,7 +76,7 @@ std::vector<Finding> check_even_spheres(Random) {
 }
 
 std::vector<Vector3> spread_directions(int count) {
-  // Turning by the golden angle from one to the next, at equal steps of height: equal areas.
+  // Each point is turned by the golden angle from the one before; equal steps of height mean equal areas.
   const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
   std::vector<Vector3> directions;
   for (int i = 0; i < count; ++i) {

@@ -16,7 +16,7 @@ double slope_at_corner() {
   return (std::cos(t) + std::sin(t) - 1) / t;
 }
 
-/// Angle to the nearest axis; exact for tiny angles.
+/// The angle to the nearest axis; accurate for tiny angles, too.
 double tilt(const Vector3& v) {
   const Vector3 a = v.cwiseAbs();
   int k = 0;
@@ -24,7 +24,7 @@ double tilt(const Vector3& v) {
   return std::atan2(std::hypot(a[(k + 1) % 3], a[(k + 2) % 3]), longest);
 }
 
-/// Angle between two lines to the nearest of 0 and pi/2.
+/// How far the angle between two lines is from 0 or pi/2, whichever is nearer.
 double angle_defect(const Vector3& a, const Vector3& b) {
   const double along = std::abs(a.dot(b)), across = a.cross(b).norm();
   return std::atan2(std::min(along, across), std::max(along, across));
@@ -54,8 +54,8 @@ Rotation frame_by_definition(const AreaVectors& vectors) {
   double best = 0;
   for (std::size_t i = 0; i < vectors.size(); ++i) {
     const Vector3 v = vectors[i], part = v - v.dot(first) * first;
-    // Of orthogonal faces the largest; one that is only partly so counts for less than its
-    // projection.
+    // The largest of the faces orthogonal to the first one; a face that is only nearly orthogonal counts for less than
+    // its projection.
     const double merit = part.norm() * part.norm() / v.norm();
     if (merit > best) best = merit, across = part;
   }
@@ -79,8 +79,8 @@ Finding check_equality_gives_rectilinear(const TestMesh& tested) {
 }
 
 Finding check_one_iff_rectilinear(const TestMesh& tested) {
-  // If R = 1 - d, then P/S - 1 = d / (3 - d), which bounds the mean tilt, and two faces' angle
-  // misses 0 or pi/2 by no more than their two tilts.
+  // If R = 1 - d, then P/S - 1 = d / (3 - d), which bounds the mean tilt. The angle between two faces differs from 0 or
+  // pi/2 by at most the sum of their tilts.
   const std::vector<Vector3> faces = largest_faces(tested.vectors(), 200);
   double weight = 0, defect = 0;
   for (const Vector3& a : faces) weight += a.norm();
@@ -118,7 +118,7 @@ std::vector<Finding> check_tilted_top(Random) {
     const Mesh mesh = tilted_top_cube(tilt);
     const Enclosure best = enclose(mesh, 1e-10);
     const double expected = tilted_top_rectilinearity(tilt);
-    // 1 - R = tilt / 2 - tilt^2 / 3 + ..., so the rate is within the tilt of one half.
+    // 1 - R = tilt / 2 - tilt^2 / 3 + ..., so the rate differs from one half by less than the tilt.
     const double rate = (1 - best.least_r()) / tilt;
     const double off = std::max(best.least_r() - expected, expected - best.greatest_r());
     Finding finding{std::min(-off, tilt - std::abs(rate - 0.5)),

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kDeleted = 0.9;  // the paper's 90 %
 constexpr double kPaperChange = 0.005;
-constexpr double kErrors = 8;        // standard errors that no sample will reach, nor the largest over all rotations
-constexpr double kFewestKept = 300;  // faces, for the law to be that of large samples
+constexpr double kErrors = 8;        // standard errors: no sample is off by so many, even at the worst rotation
+constexpr double kFewestKept = 300;  // fewest faces left for the statistics of large samples
 
 Vector3 area_vector(const Mesh& mesh, const Triangle& t) {
   const Vector3& p = mesh.vertices[t[0]];
@@ -27,7 +27,7 @@ double total_area(const Mesh& mesh) {
   return area;
 }
 
-/// Sum of the changes of area vectors, face by face, over the area before.
+/// The sum of the changes of all area vectors, face by face, divided by the area before.
 double relative_change(const Mesh& before, const Mesh& after) {
   double change = 0;
   for (std::size_t i = 0; i < before.triangles.size(); ++i)
@@ -35,7 +35,7 @@ double relative_change(const Mesh& before, const Mesh& after) {
   return change / total_area(before);
 }
 
-/// `allowed` less the certified change of R from `tested` to `mesh`.
+/// The margin is `allowed` less the certified change of R from `tested` to `mesh`.
 Finding compare(const TestMesh& tested, Mesh mesh, double allowed, const std::string& what) {
   const Enclosure after = enclose(mesh);
   const double change = distance(tested.best, after);
@@ -43,7 +43,7 @@ Finding compare(const TestMesh& tested, Mesh mesh, double allowed, const std::st
           "R = " + std::to_string(tested.best.least_r()) + " became " + std::to_string(after.least_r())};
 }
 
-/// Faces that would be as good a sample if all were of one size.
+/// The effective number of faces: so many faces of equal size would be as good a sample.
 double effective_faces(const Mesh& mesh) {
   const double area = total_area(mesh);
   double squares = 0;
@@ -66,7 +66,7 @@ Finding check_stability(const TestMesh& tested, Random random) {
 
   Mesh holed = without_faces(mesh, 0.01, random.fork(1));
   const double lost = 1 - total_area(holed) / total_area(mesh);
-  if (lost >= 1) return noise;  // of a mesh that is nearly all degenerate nothing may be left
+  if (lost >= 1) return noise;  // nothing may be left of a mesh that is nearly all degenerate
   Finding holes = compare(tested, std::move(holed), r_change_bound(std::max(lost, 0.0)), "with holes");
   return noise.margin < holes.margin ? noise : holes;
 }
@@ -102,7 +102,7 @@ std::vector<Finding> check_deletion_on_large_shapes(Random random) {
 
 std::optional<Finding> check_deletion_law(const TestMesh& tested, Random random) {
   if ((1 - kDeleted) * effective_faces(*tested.mesh) < kFewestKept) return std::nullopt;
-  // A mesh whose faces all count alike at the best rotation may find a better one.
+  // If all faces count alike at the best rotation, the error there is zero, but another rotation may become better.
   const double error = std::max(deletion_error(tested, 1 - kDeleted), 1e-10);
   return compare_after_deletion(tested, std::move(random), kErrors * error);
 }

@@ -28,8 +28,8 @@ double thread_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Processor seconds of this thread for one face at one rotation: the least of some tries, since a
-/// busy machine can only add.
+/// Processor seconds of this thread for one face at one rotation: the least of several tries, because a busy machine
+/// can only make it longer.
 double seconds_per_face(const ProjectedArea& objective, Random random) {
   std::array<Rotation, 8> rotations;
   for (Rotation& rotation : rotations) rotation = random_rotation(random);

@@ -10,13 +10,13 @@ namespace rectilin::paper::claims {
 
 namespace {
 
-/// What the box loses for an objective whose least value is enclosed by `best`.
+/// What the paper's box loses on an objective whose least value is known to be in `best`.
 Finding loss_on_paper_box(const ProjectedArea& objective, const Enclosure& best) {
   Finding finding{.margin = 0, .rotation = best.rotation};
-  // Where the box holds the best frame of all there is nothing to search.
+  // If the box holds the best frame, nothing is lost.
   if (in_paper_box(best.rotation)) return finding;
-  // This search is a plain one. On large meshes, whose bounds cost more, it may end early with an
-  // upper bound that proves less of a loss, or none.
+  // This search is a simple one. On large meshes, where bounds are expensive, it may stop early with a bound that
+  // proves a smaller loss, or none.
   const auto cells = static_cast<int>(std::clamp(2e9 / static_cast<double>(objective.vectors().size()), 2e3, 2e5));
   const Enclosure on_box = enclose_on_paper_box(objective, 1e-6, cells);
   finding.margin = std::min(on_box.greatest_r() - best.least_r(), 0.0);
@@ -71,7 +71,7 @@ Finding check_domain_on_mesh(const TestMesh& tested, Random random, const Domain
   return finding;
 }
 
-Finding check_chart(Random random, const Domain& domain) {
+Finding check_domain_on_frames(Random random, const Domain& domain) {
   Finding finding{.where = "random frames"};
   for (int i = 0; i < 10'000; ++i) {
     const Rotation wanted = random_rotation(random);

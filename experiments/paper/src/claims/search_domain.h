@@ -1,4 +1,4 @@
-// Eq. (28), which is wrong as stated (papers/erratum.md), and what mends it.
+// Eq. (28), which is wrong as stated, and its correction (papers/erratum.md).
 #pragma once
 
 #include "claims/tests.h"
@@ -6,11 +6,11 @@
 
 namespace rectilin::paper::claims {
 
-/// Eq. (28) on a mesh in the pose it has: negative if R on the box [0, pi/2]^3 is certified to fall
+/// Eq. (28) on a mesh in its own pose. The margin is negative if it is certified that R on the box [0, pi/2]^3 falls
 /// short of R.
 Finding check_paper_box(const TestMesh& tested);
 
-/// The same for the mesh in a random pose: its R has not changed, but the box is another one.
+/// The same for the mesh in a random pose, which has the same R but another box.
 Finding check_paper_box_in_another_pose(const TestMesh& tested, Random random);
 
 /// Eq. (28) on cubes in random poses.
@@ -19,9 +19,9 @@ std::vector<Finding> check_cubes_on_paper_box(Random random);
 /// The share of orientations that the paper's box reaches is 3/4.
 std::vector<Finding> check_three_quarters(Random random);
 
-/// The mend: `domain` reaches the best rotation and random ones, at the same P/S.
+/// The correction: `domain` reaches the best rotation and random ones, with the same P/S.
 Finding check_domain_on_mesh(const TestMesh& tested, Random random, const Domain& domain);
-/// The same for frames alone.
-Finding check_chart(Random random, const Domain& domain);
+/// The same for random frames, without a mesh.
+Finding check_domain_on_frames(Random random, const Domain& domain);
 
 }  // namespace rectilin::paper::claims

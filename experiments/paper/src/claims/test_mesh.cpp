@@ -12,8 +12,8 @@ namespace rectilin::paper::claims {
 
 namespace {
 
-/// Claims do not depend on scale; areas of meshes of 1e200 would exceed double's range. Scaling by
-/// a power of two is exact.
+/// Scales the mesh: claims do not depend on scale, but areas of a mesh of size 1e200 would overflow. Scaling by a power
+/// of two is exact.
 void bring_to_scale(Mesh& mesh) {
   double largest = 0;
   for (const Vector3& p : mesh.vertices) largest = std::max(largest, p.cwiseAbs().maxCoeff());

@@ -1,4 +1,4 @@
-// A mesh under test, with what most claims need of it.
+// A mesh on which claims are tested, with what most of them need.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,7 @@
 
 namespace rectilin::paper::claims {
 
-/// Certified bounds of the least P/S: it is `found` at `rotation`, and no rotation has less than
-/// `lower`.
+/// Certified bounds of the least P/S: `rotation` has `found`, and no rotation has less than `lower`.
 struct Enclosure {
   Rotation rotation = {};
   double found = 0;
@@ -20,16 +19,15 @@ struct Enclosure {
   double greatest_r() const { return rectilinearity(lower); }
 };
 
-/// Boxes of rotations that a search may look at. Ordinary meshes need some thousands; nearly round
-/// ones (R < 0.01) keep the bounds reached until then, which are proved all the same.
+/// How many boxes of rotations a search may use. Ordinary meshes need some thousands; for nearly round ones (R < 0.01)
+/// the bounds reached by then are used, which are proved all the same.
 inline constexpr int kCells = 30'000;
 
-/// Encloses the least P/S by branch and bound, R to within `gap`.
+/// Encloses the least P/S by branch and bound until R is known to within `gap`.
 Enclosure enclose(const ProjectedArea& objective, double gap = 1e-6, int cells = kCells);
 Enclosure enclose(const Mesh& mesh, double gap = 1e-6);
 
-/// Least distance between a number of the one interval of R and one of the other: 0 if they
-/// overlap.
+/// The distance between two intervals of R: 0 if they overlap.
 double distance(const Enclosure& a, const Enclosure& b);
 
 struct TestMesh {
@@ -41,20 +39,20 @@ struct TestMesh {
   const AreaVectors& vectors() const { return objective->vectors(); }
 };
 
-/// Throws what load_mesh() and area_vectors() throw.
+/// Loads a mesh and measures it. Throws what load_mesh() and area_vectors() throw.
 TestMesh make_test_mesh(const std::string& source);
 TestMesh make_test_mesh(Mesh mesh, std::string name);
 
 /// The source of a built-in shape ("box?x=2") in a random pose.
 std::string posed(const std::string& shape, Random& random);
 
-/// Error of P/S where area vectors have been computed in double precision: the rounding of edges
-/// and cross products over S. Large only for meshes of slivers. With `moved`, that of coordinates
-/// rounded anew (after a rotation) as well: large for a mesh far from the origin.
+/// The error of P/S if area vectors are computed in double precision: the rounding of edges and cross products, divided
+/// by S. It is large only for meshes of slivers. With `moved` it includes the rounding of coordinates by a rotation,
+/// which is large for a mesh far from the origin.
 double coordinate_rounding(const Mesh& mesh, double area, bool moved = false);
 
-/// How far R can move if the area vectors change by eta S in total, eta < 1: at most 3 (1 +
-/// sqrt(3)) eta / (1 - eta) (papers/closed-forms.md, "Stability"). Infinite from eta = 1 on.
+/// The most that R can change if the area vectors change by eta S in total, eta < 1: 3 (1 + sqrt(3)) eta / (1 - eta)
+/// (papers/closed-forms.md, "Stability"). Infinite for eta >= 1.
 double r_change_bound(double eta);
 
 }  // namespace rectilin::paper::claims

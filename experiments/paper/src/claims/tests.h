@@ -10,16 +10,14 @@
 
 namespace rectilin::paper::claims {
 
-/// How a claim is tested. Tests are pure functions of their arguments, safe to call from many
-/// threads.
+/// How a claim is tested. Tests are pure functions of their arguments and safe to call from many threads.
 struct ClaimTest {
   std::string_view claim;
-  /// On any mesh; may be null. Nothing found: the claim does not apply to this mesh.
+  /// The test on any mesh; may be null. It returns nothing if the claim does not apply to the mesh.
   std::optional<Finding> (*on_mesh)(const TestMesh& tested, Random random) = nullptr;
-  /// On shapes of the claim's own; may be null.
+  /// The test on shapes that the claim is about; may be null.
   std::vector<Finding> (*on_shapes)(Random random) = nullptr;
-  /// Share of the findings that may be worse than the decisive one: 0 where the claim is about
-  /// every case.
+  /// The share of the findings that may be worse than the decisive one: 0 if the claim is about every case.
   double quantile = 0;
 };
 

@@ -1,4 +1,4 @@
-// Runs the tests of claims on meshes and on shapes of their own.
+// Runs the tests of claims on meshes and on the claims' own shapes.
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -42,11 +42,11 @@ std::vector<Job> jobs_for(const std::vector<std::string>& wanted) {
   return jobs;
 }
 
-/// Findings of a claim as they come, and in the end the one that decides.
+/// Collects the findings of a claim and, in the end, picks the decisive one.
 class Tally {
  public:
   void add(Finding finding) {
-    // Only the worst can need its mesh, which may be large.
+    // Only the worst finding needs its mesh, which may be large.
     if (!findings_.empty() && findings_[worst_].margin <= finding.margin) finding.mesh.reset();
     else if (!findings_.empty()) findings_[worst_].mesh.reset(), worst_ = findings_.size();
     findings_.push_back(std::move(finding));
@@ -91,7 +91,7 @@ class Run {
   }
 
  private:
-  /// What one mesh gave: a finding for each job that applies to it.
+  /// The findings on one mesh, one for each job that applies to it.
   using Findings = std::vector<std::optional<Finding>>;
 
   void test_shapes() {
@@ -109,7 +109,7 @@ class Run {
   }
 
   void test_meshes() {
-    // In order, so that what is found first among equals does not depend on threads.
+    // Delivered in order, so that which of several equal findings comes first does not depend on threads.
     const auto keep = [&](std::size_t i, Outcome<Findings>&& outcome) {
       if (!outcome.value) validation_.errors.push_back(outcome.error);
       else

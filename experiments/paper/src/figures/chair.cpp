@@ -18,13 +18,13 @@ void add(Mesh& mesh, const Mesh& part, const Eigen::Isometry3d& place) {
   for (const Triangle& t : part.triangles) mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
-/// A box about the origin of about `share` of all faces.
+/// A box about the origin with about `faces` triangles.
 Mesh box(double x, double y, double z, double faces) {
   return make_shape(Spec::parse("box?x=" + number(x) + "&y=" + number(y) + "&z=" + number(z) +
                                 "&faces=" + std::to_string(std::max(12, static_cast<int>(faces)))));
 }
 
-/// A round bar along z from the origin, of slender triangles.
+/// A round bar along z that starts at the origin, made of slender triangles.
 Mesh bar(double radius, double length, double faces) {
   const int sides = std::max(8, static_cast<int>(faces / 4));
   return make_shape(Spec::parse("cylinder?radius=" + number(radius) + "&height=" + number(length) +

@@ -6,13 +6,13 @@
 namespace rectilin::paper::figures {
 
 struct ChairOptions {
-  int slats = 0;            ///< of the back, with gaps between them; 0: one solid board
+  int slats = 0;            ///< bars of the back, with gaps between them; 0: the back is one board
   bool stretchers = false;  ///< bars between the legs
-  int faces = 20'000;       ///< triangles in all, about
+  int faces = 20'000;       ///< total number of triangles, about
 };
 
-/// A seat on four round legs with a back that leans backwards, about 1 high. Its parts are closed
-/// surfaces that overlap a little where they meet, as in most models made by hand.
+/// A seat on four round legs with a back that leans backwards, about 1 high. Its parts are closed surfaces that overlap
+/// a little where they meet, as in most hand-made models.
 Mesh chair(const ChairOptions& options);
 
 }  // namespace rectilin::paper::figures

@@ -1,4 +1,4 @@
-// The experiments, each in a file of its own, and what turns an options struct into one.
+// All experiments, each defined in a file of its own, and a function that makes one from an options struct.
 #pragma once
 
 #include <string>
@@ -40,9 +40,8 @@ Experiment gap();
 Experiment pose_accuracy();
 Experiment shortfall();
 
-/// An experiment from a struct of settings with `bind(Parameters&)` and `run(const
-/// ExperimentContext&) const`. `quick` are settings as after the '?' of a Spec: with them it takes
-/// about a second.
+/// Makes an experiment from a struct of settings with `bind(Parameters&)` and `run(const ExperimentContext&) const`.
+/// `quick` holds settings, as written after the '?' of a Spec, with which it takes about a second.
 template <class Settings>
 Experiment make_experiment(const std::string& name, std::string title, std::string takes, const std::string& quick) {
   auto entry = Factory<ExperimentResult, const ExperimentContext&>::entry(

@@ -9,7 +9,8 @@ struct Introduction {
   int subdivisions = 5;
 
   void bind(Parameters& parameters) {
-    parameters.integer("subdivisions", subdivisions, 0, 8, "of the octahedron that the sphere is made of");
+    parameters.integer("subdivisions", subdivisions, 0, 8,
+                       "how often the octahedron that becomes the sphere is subdivided");
   }
 
   ExperimentResult run(const ExperimentContext& context) const {

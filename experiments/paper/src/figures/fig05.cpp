@@ -12,7 +12,8 @@ struct Spheres {
   int subdivisions = 6;
 
   void bind(Parameters& parameters) {
-    parameters.integer("subdivisions", subdivisions, 1, 8, "of the octahedron that the finest mesh comes from");
+    parameters.integer("subdivisions", subdivisions, 1, 8,
+                       "how often the octahedron is subdivided for the finest mesh");
   }
 
   ExperimentResult run(const ExperimentContext& context) const {

@@ -1,6 +1,5 @@
-// Fig. 6: how the paper's genetic algorithm converges, against the certified R. The paper: "usually
-// the stable value of rectilinearity measure can be found after approximately 150 evolution
-// generations."
+// Fig. 6: how the paper's genetic algorithm converges, against the certified R. The paper: "usually the stable value of
+// rectilinearity measure can be found after approximately 150 evolution generations."
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -17,7 +16,7 @@ namespace rectilin::paper::figures {
 namespace {
 
 constexpr int kStable = 150;        // generations after which the paper calls the value stable
-constexpr double kReached = 0.001;  // that near to the certified R counts as found
+constexpr double kReached = 0.001;  // R is found if it is this close to the certified value
 
 /// R of the best individual so far after each generation.
 std::vector<double> course(const RunRecord& run, const GeneticOptions& options) {
@@ -38,7 +37,7 @@ struct Convergence {
   std::string domain = "paper";
 
   void bind(Parameters& parameters) {
-    parameters.integer("runs", runs, 1, 10'000, "runs on each mesh, each with random numbers of its own")
+    parameters.integer("runs", runs, 1, 10'000, "runs on each mesh, each with its own random numbers")
         .integer("generations", genetic.generations, 1, 100'000, "generations of each run")
         .custom(
             "domain", "paper | covering | zone",
@@ -123,7 +122,7 @@ struct Convergence {
            number(kReached) + " of the certified R";
   }
 
-  /// With few tics, for panels are small.
+  /// The vertical axis, with few tics because panels are small.
   static report::Axis vertical(const Course& course) {
     double low = course.upper;
     for (const auto& run : course.runs) low = std::min(low, run.front());

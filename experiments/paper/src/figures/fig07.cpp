@@ -1,6 +1,5 @@
-// Fig. 7: time of the genetic algorithm against the number of faces, for 50, 100 and 200
-// generations; with the plain loop over the faces, the flat kernel, and the tree. On one thread, as
-// in the paper.
+// Fig. 7: the time of the genetic algorithm against the number of faces, for 50, 100 and 200 generations, with the
+// plain loop over the faces, with the flat kernel and with the tree. On one thread, as in the paper.
 #include <tbb/global_control.h>
 
 #include <array>
@@ -21,7 +20,7 @@ namespace rectilin::paper::figures {
 namespace {
 
 constexpr std::array kGenerations = {50, 100, 200};
-constexpr std::size_t kFittedFrom = 1000;  // faces; below, the algorithm itself takes longer than its objective
+constexpr std::size_t kFittedFrom = 1000;  // faces; with fewer the algorithm itself takes longer than its objective
 constexpr std::array kKinds = {"plain loop", "flat kernel", "tree"};
 
 /// [kind][generations], in seconds of processor time.
@@ -33,7 +32,7 @@ double seconds(const Objective& objective, int generations) {
   return run_optimizer(*make_optimizer(genetic_algorithm(), options), objective, {}).cpu_seconds;
 }
 
-/// A tree is built by the run that asks for it first, so its time is in that run's.
+/// A tree is built by the first run that uses it, so the time to build it is part of that run's.
 Times time(const AreaVectors& vectors) {
   Times times;
   for (std::size_t g = 0; g < kGenerations.size(); ++g) {
@@ -78,8 +77,8 @@ struct Timing {
   }
 
  private:
-  /// Sources by their number of directions: one smooth surface, finer and finer, or of the meshes
-  /// given a few of every size.
+  /// The sources by their number of directions: one smooth surface, finer and finer, or a few of each size among the
+  /// given meshes.
   std::map<std::size_t, std::string> choose(const ExperimentContext& context, std::vector<std::string>& errors) const {
     std::map<std::size_t, std::string> chosen;
     if (context.meshes.empty()) {
@@ -100,7 +99,7 @@ struct Timing {
     return chosen;
   }
 
-  /// Fitted to the meshes whose objective takes most of the time, if there are two of them.
+  /// The exponent is fitted to the meshes whose objective takes most of the time, if there are at least two.
   static double exponent(const std::map<std::size_t, Times>& times, std::size_t kind, std::size_t generations) {
     std::vector<double> sizes, seconds;
     const auto large = times.lower_bound(kFittedFrom);

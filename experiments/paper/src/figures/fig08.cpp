@@ -1,5 +1,4 @@
-// Fig. 8: a cube with more and more cut off in one direction. All have the same angles between
-// faces.
+// Fig. 8: a cube with more and more cut off in one direction. The angles between faces are the same for all.
 #include <algorithm>
 
 #include "figures/experiments.h"
@@ -15,8 +14,8 @@ struct CutCubes {
 
   void bind(Parameters& parameters) {
     parameters.vector3("direction", direction, -1000, 1000, "direction in which parts are cut off")
-        .real("deepest", deepest, 0.01, 0.99, "part of the width in that direction that is cut off at most")
-        .integer("steps", steps, 1, 1000, "meshes besides the whole cube");
+        .real("deepest", deepest, 0.01, 0.99, "largest part of the width in that direction that is cut off")
+        .integer("steps", steps, 1, 1000, "number of meshes besides the whole cube");
   }
 
   ExperimentResult run(const ExperimentContext& context) const {

@@ -8,9 +8,9 @@
 namespace rectilin::paper::figures {
 namespace {
 
-/// R of the ideal shape in its symmetric pose: a cube of side 1 with edges of radius r. Its surface
-/// is six squares, twelve quarters of cylinders and a sphere; its shadows along the axes are
-/// squares with round corners, and a convex surface covers its shadow twice.
+/// R of the ideal shape in its symmetric pose: a cube of side 1 with edges of radius r. Its surface consists of six
+/// squares, twelve quarter cylinders and a sphere. Its shadows along the axes are squares with round corners, and a
+/// convex surface covers its shadow twice.
 double ideal(double r) {
   using std::numbers::pi;
   const double side = 1 - 2 * r;
@@ -23,7 +23,7 @@ struct FilletedCubes {
   int steps = 10, segments = 16;
 
   void bind(Parameters& parameters) {
-    parameters.integer("steps", steps, 1, 1000, "radii besides 0; the last one makes a sphere")
+    parameters.integer("steps", steps, 1, 1000, "number of radii besides 0; the last one gives a sphere")
         .integer("segments", segments, 1, 512, "divisions of each round edge");
   }
 

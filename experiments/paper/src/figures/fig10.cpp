@@ -7,8 +7,8 @@
 namespace rectilin::paper::figures {
 namespace {
 
-/// R that ever longer ellipsoids tend to: nearly all faces lie along the axis, evenly around it.
-/// Then P is two projections, each 2/pi of S.
+/// The limit of R for longer and longer ellipsoids: nearly all faces are parallel to the long axis and spread evenly
+/// around it, so P consists of two projections of 2/pi S each.
 constexpr double kNeedle = 3 * (std::numbers::pi / 4 - 2.0 / 3);
 
 struct Ellipsoids {
@@ -16,8 +16,8 @@ struct Ellipsoids {
 
   void bind(Parameters& parameters) {
     parameters.integer("longest", longest, 2, 100, "largest ratio of the long axis to the two others")
-        .integer("steps", steps, 1, 1000, "meshes besides the sphere")
-        .integer("faces", faces, 8, 10'000'000, "triangles of each");
+        .integer("steps", steps, 1, 1000, "number of meshes besides the sphere")
+        .integer("faces", faces, 8, 10'000'000, "triangles of each mesh");
   }
 
   ExperimentResult run(const ExperimentContext& context) const {

@@ -15,14 +15,15 @@ struct Ranking {
   UpAxis pose;
 
   void bind(Parameters& parameters) {
-    parameters.integer("shown", shown, 1, 1000, "most meshes in the picture, taken evenly from the ranking");
+    parameters.integer("shown", shown, 1, 1000,
+                       "largest number of meshes in the picture, taken evenly from the ranking");
     pose.bind(parameters);
   }
 
   ExperimentResult run(const ExperimentContext& context) const {
     std::vector<Sample> samples;
     if (context.meshes.empty()) {
-      for (const auto& shape : shape_table().entries())  // a finer sphere takes seconds
+      for (const auto& shape : shape_table().entries())  // coarse, because proofs on a fine sphere take seconds
         samples.push_back(
             sample(shape.name, "shape:" + shape.name + (shape.name == "sphere" ? "?subdivisions=3" : "")));
     } else {
@@ -49,7 +50,7 @@ struct Ranking {
     return result;
   }
 
-  /// Those that could be measured, by decreasing R.
+  /// Keeps those that could be measured, sorted by decreasing R.
   static void rank(std::vector<Sample>& samples, std::vector<Measured>& results) {
     std::vector<std::size_t> order(results.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

@@ -11,10 +11,10 @@
 namespace rectilin::paper::figures {
 namespace {
 
-constexpr std::array kNoise = {0.0003, 0.001, 0.003, 0.01};  // standard deviations, in largest extents
-constexpr std::size_t kSmall = 1;                            // the noise that is spoken of
+constexpr std::array kNoise = {0.0003, 0.001, 0.003, 0.01};  // standard deviations, relative to the largest extent
+constexpr std::size_t kSmall = 1;                            // index of the noise that the text mentions
 
-/// The mesh with round holes: without the faces near some of its faces, chosen at random.
+/// The mesh with round holes: without the faces that are near some randomly chosen ones.
 Mesh with_holes(const Mesh& mesh, int holes, double radius, Random random) {
   const auto middle = [&](const Triangle& t) {
     return Vector3((mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3);
@@ -29,7 +29,7 @@ Mesh with_holes(const Mesh& mesh, int holes, double radius, Random random) {
   return rest;
 }
 
-/// A mesh and what becomes of it; the numbers are indices into the list of samples.
+/// A mesh and its variants; the numbers are indices into the list of samples.
 struct Family {
   std::string title;
   std::size_t original;
@@ -43,7 +43,7 @@ struct Disturbances {
 
   void bind(Parameters& parameters) {
     parameters.integer("holes", holes, 1, 1000, "number of holes")
-        .real("radius", radius, 0, 1, "of a hole, in largest extents")
+        .real("radius", radius, 0, 1, "radius of a hole, relative to the largest extent")
         .integer("finest", finest, 1000, 10'000'000, "triangles of the finest of three built-in chairs, about");
     pose.bind(parameters);
   }
@@ -76,7 +76,7 @@ struct Disturbances {
   }
 
  private:
-  /// Adds the mesh itself, with holes and with noise.
+  /// Adds the mesh itself and its variants with holes and with noise.
   Family family(const Model& model, std::uint64_t seed, std::vector<Sample>& samples) const {
     const auto add = [&](const std::string& change, std::function<Mesh()> make) {
       samples.push_back({model.title + change, model.source + change, std::move(make), pose.of(model.source)});

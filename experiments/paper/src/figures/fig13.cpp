@@ -1,5 +1,5 @@
-// Fig. 13: faces deleted at random. The paper: "Even if 90% faces of the mesh are discarded, the
-// rectilinearity value varies by less than 0.005."
+// Fig. 13: faces deleted at random. The paper: "Even if 90% faces of the mesh are discarded, the rectilinearity value
+// varies by less than 0.005."
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,7 +16,7 @@ constexpr std::array kDeleted = {0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.
 constexpr double kClaimedAt = 0.9, kClaimed = 0.005;
 constexpr std::array kPicturedParts = {0.0, 0.5, 0.9, 0.99};
 
-/// Of one mesh at one part of faces deleted, over all runs.
+/// R over all runs, for one mesh and one share of deleted faces.
 struct Spread {
   double least = NAN, median = NAN, largest = NAN;
   double change = NAN;  ///< the largest distance from the whole mesh's R
@@ -29,7 +29,7 @@ struct Deletion {
 
   void bind(Parameters& parameters) {
     parameters.integer("runs", runs, 1, 10'000, "random choices of the faces to be deleted");
-    parameters.integer("faces", faces, 1000, 10'000'000, "of the built-in blob");
+    parameters.integer("faces", faces, 1000, 10'000'000, "faces of the built-in blob");
     pose.bind(parameters);
   }
 
@@ -49,7 +49,7 @@ struct Deletion {
   }
 
  private:
-  /// By mesh, part deleted, and run.
+  /// The samples, sorted by mesh, share of deleted faces, and run.
   std::vector<Sample> plan(const std::vector<Model>& models, std::uint64_t seed) const {
     std::vector<Sample> samples;
     for (const Model& model : models)

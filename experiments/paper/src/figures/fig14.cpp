@@ -18,7 +18,7 @@ struct Simplification {
   UpAxis pose;
 
   void bind(Parameters& parameters) {
-    parameters.integer("faces", faces, 1000, 10'000'000, "of the built-in blob");
+    parameters.integer("faces", faces, 1000, 10'000'000, "faces of the built-in blob");
     pose.bind(parameters);
   }
 
@@ -36,7 +36,7 @@ struct Simplification {
         if (std::ranges::count(kPicturedTargets, part) > 0) samples.back().pictured = pose.of(model.source);
       }
     const std::vector<Measured> results = measure_all(samples, context);
-    for (std::size_t i = 0; i < samples.size(); ++i)  // what was asked for is not always reached
+    for (std::size_t i = 0; i < samples.size(); ++i)  // simplification does not always reach the number asked for
       samples[i].label = models[i / kKept.size()].title + ", " + std::to_string(results[i].result.faces) + " faces";
 
     result.says = "R changes by at most " + change(models, results, 0.1) + " at 10 % of the faces and " +
@@ -49,7 +49,7 @@ struct Simplification {
   }
 
  private:
-  /// Largest over the meshes.
+  /// The largest change of R over all meshes.
   static std::string change(const std::vector<Model>& models, const std::vector<Measured>& results, double part) {
     const auto at = std::ranges::find(kKept, part) - kKept.begin();
     double largest = 0;

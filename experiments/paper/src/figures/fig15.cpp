@@ -1,4 +1,4 @@
-// Fig. 15: pyramids of more and more steps look like the smooth one, but have R = 1, all of them.
+// Fig. 15: pyramids of more and more steps look like the smooth one, but all of them have R = 1.
 #include <algorithm>
 
 #include "figures/experiments.h"
@@ -11,7 +11,7 @@ struct SteppedPyramids {
   int steps = 64;
 
   void bind(Parameters& parameters) {
-    parameters.integer("steps", steps, 1, 100'000, "most steps; the numbers of steps are powers of two");
+    parameters.integer("steps", steps, 1, 100'000, "largest number of steps; the numbers are powers of two");
   }
 
   ExperimentResult run(const ExperimentContext& context) const {

@@ -7,7 +7,7 @@
 namespace rectilin::paper::figures {
 namespace {
 
-/// What the rule of section 6 chose, and by how much of the larger sum.
+/// What the rule of section 6 chose, and by which margin, relative to the larger sum.
 struct Choice {
   bool pca = false;
   double margin = 0;
@@ -27,7 +27,7 @@ struct Chosen {
   UpAxis up;
 
   void bind(Parameters& parameters) {
-    parameters.integer("shown", shown, 1, 100, "models in the picture, those with the clearest choice");
+    parameters.integer("shown", shown, 1, 100, "number of models in the picture: those with the clearest choice");
     up.bind(parameters);
   }
 

@@ -1,4 +1,4 @@
-// Fig. 20: where the paper's rule fails: it takes the wrong one of two poses, or both are wrong.
+// Fig. 20: where the paper's rule fails: it chooses the wrong one of two poses, or both are wrong.
 #include <algorithm>
 #include <numbers>
 

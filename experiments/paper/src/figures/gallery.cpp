@@ -1,4 +1,4 @@
-// A few objects as they come, in any pose, and beside each the pose that R names: what the README shows first.
+// The picture in the README: a few objects in arbitrary poses, and beside each its pose by R.
 #include <cstdio>
 
 #include "figures/chair.h"
@@ -14,8 +14,8 @@ Mesh turned(Mesh mesh, const Eigen::Matrix3d& rotation) {
   return mesh;
 }
 
-/// The frame leaves open which axis is up: of the 24 rotations with the same planes, the one that brings the object
-/// back nearest to how it stood before it was turned by `tilt`.
+/// A frame does not say which of its axes is up. Of the 24 rotations with the same planes, this takes the one that
+/// brings the object back nearest to how it stood before it was turned by `tilt`.
 Eigen::Matrix3d upright(const Rotation& pose, const Rotation& tilt) {
   const Eigen::Matrix3d undone = pose.matrix() * tilt.matrix();
   const Rotation* best = nullptr;

@@ -1,5 +1,5 @@
-// How the certified interval closes: the gap between the best R found and the bound no rotation exceeds, against the
-// boxes looked at and against time, on meshes of different kinds.
+// How the certified interval closes: the gap between the best R found and the bound that no rotation exceeds, against
+// the number of boxes and against time, on meshes of different kinds.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,7 @@
 namespace rectilin::paper::figures {
 namespace {
 
-/// One trajectory; thinned, as thousands of steps look the same as a hundred.
+/// How the interval closed on one mesh; thinned, because thousands of steps look the same as a hundred.
 struct Trajectory {
   std::string label;
   std::vector<double> cells, seconds, gap;
@@ -36,7 +36,7 @@ Trajectory follow(const Sample& sample, const ExperimentContext& context) {
   return path;
 }
 
-/// Three columns a mesh: cells, seconds, gap.
+/// Three columns for each mesh: cells, seconds, gap.
 report::Csv table(const std::vector<Trajectory>& paths) {
   std::vector<std::string> columns;
   std::size_t rows = 0;

@@ -21,8 +21,8 @@ namespace {
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr std::array kWithin = {2.0, 5.0, 10.0};
 constexpr double kRight = 10;    // degrees
-constexpr double kRound = 0.15;  // of unroundness()
-constexpr int kCurve = 45;       // degrees, of the picture
+constexpr double kRound = 0.15;  // limit of unroundness() for bodies of revolution
+constexpr int kCurve = 45;       // degrees that the picture shows
 
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> parts;
@@ -34,7 +34,7 @@ std::vector<std::string> split(const std::string& text) {
   return parts;
 }
 
-/// Degrees between an axis and the nearest axis of a frame, as lines.
+/// The angle in degrees, between lines, of an axis and the nearest axis of a frame.
 double nearest_axis(const Rotation& frame, const Vector3& axis) {
   double best = 90;
   for (int k = 0; k < 3; ++k)
@@ -166,7 +166,7 @@ struct Accuracy {
     return {{"share", share.value()}, {"lower", share.lower()}, {"upper", share.upper()}, {"of", share.of}};
   }
 
-  /// A row a method: what came out, with 95 % intervals; once more without the classes that are to be kept apart.
+  /// One row for each method: its results, with 95 % intervals; then the same without the classes that are kept apart.
   Json summary(const std::vector<std::string>& names, const std::vector<std::vector<ScoredPose>>& poses) const {
     const std::vector<std::string> separate = split(apart);
     Json rows = Json::array();
@@ -208,7 +208,7 @@ struct Accuracy {
     return text + "; the paper's 39 judges accepted 98.2 % of the Princeton models in the pose of cpn";
   }
 
-  /// A row a degree: the share within it, by each method.
+  /// One row for each degree: the share of poses within it, for each method.
   static report::NamedPlot curves(const std::vector<std::string>& names,
                                   const std::vector<std::vector<ScoredPose>>& poses) {
     std::vector<std::string> columns = {"degrees"};

@@ -1,4 +1,4 @@
-// How right poses are: models whose own axes are right, and the frames that a method found for them.
+// How right poses are, judged on models whose own axes are known to be right.
 #pragma once
 
 #include <cstddef>
@@ -12,19 +12,19 @@
 
 namespace rectilin::paper::figures {
 
-/// A pose of a model, in the coordinates in which its axes are the right ones.
+/// A pose that a method found for a model, in the coordinates in which the model's axes are right.
 struct ScoredPose {
-  std::size_t model = 0;  ///< which
+  std::size_t model = 0;  ///< index of the model
   std::string group;      ///< the model's class
   double angle = 0;       ///< degrees to the nearest of the 24 right frames
-  /// The same but for bodies of revolution, of whose axes only one has a right place: degrees from this axis to the
-  /// nearest axis of the frame.
+  /// The same, except for bodies of revolution, which have only one axis with a right place: degrees from this axis to
+  /// the nearest axis of the frame.
   double revolved_angle = 0;
   double confidence = 1;
-  Rotation frame;  ///< what was found, as rows
+  Rotation frame;  ///< the frame found; its rows are the axes
 };
 
-/// A share with the interval that Wilson (1927) gives it at 95 %.
+/// A share with its 95 % interval (Wilson 1927).
 struct Share {
   std::size_t hits = 0, of = 0;
 
@@ -35,20 +35,21 @@ struct Share {
 
 enum class Rule { kPlain, kRevolved };
 
-/// Poses within so many degrees.
+/// The share of poses within that many degrees.
 Share share_within(const std::vector<ScoredPose>& poses, double degrees, Rule rule);
 
-/// Of the half with the greater confidence; ties by the order given.
+/// The same for the half of the poses with the greater confidence; ties are broken by order.
 Share surer_half(std::vector<ScoredPose> poses, double degrees, Rule rule);
 
-/// Pairs of different models of one class whose frames are within so many degrees of each other, as seen from the
-/// models' own axes: a method may be consistent and wrong. Poses of equal rank among those of their model are compared.
+/// The share of pairs of different models of one class whose frames, relative to the models' own axes, are within that
+/// many degrees of each other: a method may be consistent and wrong. The first pose of one model is compared with the
+/// first of the other, the second with the second, and so on.
 Share consistency(const std::vector<ScoredPose>& poses, double degrees);
 
-/// The class of each model in a classification, by the model's name.
+/// The class of each model in a classification, by model name.
 std::map<std::string, std::string> classes_by_model(const retrieval::Classification& classification);
 
-/// The class of a mesh file by its name: the stem, or the stem less a leading m; nothing if it is in none.
+/// The class of a mesh file, by its name without extension, or by that without a leading m; nothing if no class has it.
 std::optional<std::string> class_of(const std::string& source, const std::map<std::string, std::string>& classes);
 
 }  // namespace rectilin::paper::figures

@@ -13,7 +13,7 @@
 namespace rectilin::paper::figures {
 namespace {
 
-constexpr double kTolerance = 1e-5;  // of silhouettes
+constexpr double kTolerance = 1e-5;  // relative tolerance of silhouette areas
 
 PosedModel pose_one(const std::string& title, const std::string& source, const std::vector<std::string>& methods,
                     bool silhouettes, Up up) {

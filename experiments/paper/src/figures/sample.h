@@ -1,4 +1,4 @@
-// Meshes of an experiment and their certified R.
+// The meshes of an experiment, and their certified R.
 #pragma once
 
 #include <functional>
@@ -19,18 +19,18 @@ using render::Up;
 using report::ContactSheet;
 using report::SheetCell;
 
-/// A mesh that is made when it is needed: an experiment may have more of them than fit into memory.
+/// A mesh that is made only when it is needed: an experiment may have more of them than fit into memory.
 struct Sample {
   std::string label;                ///< short, for people
-  std::string origin;               ///< a source for load_mesh(), perhaps with what was done to it
+  std::string origin;               ///< a source for load_mesh(), or one and what was done to it
   std::function<Mesh()> make;       ///< thread safe; the same mesh every time
-  std::optional<Up> pictured = {};  ///< to be shown, this way up
+  std::optional<Up> pictured = {};  ///< set if it is to be shown: which way is up
 };
 
-/// The mesh of a source for load_mesh().
+/// A sample that loads a source with load_mesh().
 Sample sample(std::string label, const std::string& source);
 
-/// The setting `up` of experiments that show meshes of others.
+/// The setting `up` of experiments that show meshes from files.
 struct UpAxis {
   enum class Which { kAuto, kY, kZ };
   Which which = Which::kAuto;
@@ -40,7 +40,7 @@ struct UpAxis {
   Up of(const std::string& source) const;
 };
 
-/// A mesh in memory that others are made from.
+/// A mesh in memory from which others are made.
 struct Model {
   std::string title;   ///< short, unique
   std::string source;  ///< for load_mesh()
@@ -50,32 +50,31 @@ struct Model {
 /// Titles and sources of meshes.
 using Defaults = std::vector<std::pair<std::string, std::string>>;
 
-/// The context's meshes or, if it has none, the defaults. Meshes that cannot be read are left out,
-/// with a line in `errors`; throws MeshError if there is none left.
+/// The context's meshes or, if there are none, the defaults. Meshes that cannot be read are left out, with a line in
+/// `errors`; throws MeshError if none is left.
 std::vector<Model> load_models(const ExperimentContext& context, const Defaults& defaults,
                                std::vector<std::string>& errors);
 
-/// What stands for a model made by hand and for a scan where no meshes are given; the scan has that
-/// many faces.
+/// Built-in shapes that replace a hand-made model and a scan if no meshes are given; the scan has that many faces.
 Defaults made_and_scanned(int faces);
 
 struct Measured {
-  std::string error;      ///< if it could not be measured: then nothing else is set
+  std::string error;      ///< why it could not be measured; then nothing else is set
   Rectilinearity result;  ///< with certified bounds
-  std::string picture;    ///< a PNG file if it was to be shown
+  std::string picture;    ///< the content of a PNG file, if it is to be shown
 
   double value() const { return result.value; }
   double lower() const { return result.bounds->lower; }
   double upper() const { return result.bounds->upper; }
 };
 
-/// R of each, certified, several at a time; the same for any number of threads. Throws Stopped.
+/// Certifies R of all samples, several at a time; the results are the same for any number of threads. Throws Stopped.
 std::vector<Measured> measure_all(const std::vector<Sample>& samples, const ExperimentContext& context);
 
-/// One object for each sample, with the error instead of numbers where there is one.
+/// One JSON object for each sample; if it failed, with the error instead of numbers.
 Json to_json(const std::vector<Sample>& samples, const std::vector<Measured>& results);
 
-/// The same as a table, and the pictures of those that are to be shown.
+/// The same as a table, and a sheet with the pictures of those that are to be shown.
 Sheet sheet(std::string name, std::string caption, const std::vector<Sample>& samples,
             const std::vector<Measured>& results, int columns = 4);
 

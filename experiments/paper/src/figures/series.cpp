@@ -7,7 +7,7 @@
 namespace rectilin::paper::figures {
 namespace {
 
-constexpr std::size_t kMostPictures = 8;  // pictures of meshes
+constexpr std::size_t kMostPictures = 8;  // largest number of pictures of meshes
 
 report::NamedPlot curve(const Series& series, const MeasuredSeries& measured) {
   std::vector<std::string> columns = {series.axis.label, "R", "lower", "upper", "faces"};
@@ -22,7 +22,7 @@ report::NamedPlot curve(const Series& series, const MeasuredSeries& measured) {
     csv.row(row);
   }
   report::Axis x = series.axis;
-  if (x.logarithmic) {  // gnuplot's own choice are whole decades
+  if (x.logarithmic) {  // gnuplot by itself would choose whole decades
     x.lower = series.members.front().number;
     x.upper = series.members.back().number;
   }
@@ -36,7 +36,7 @@ report::NamedPlot curve(const Series& series, const MeasuredSeries& measured) {
   return {series.name, series.caption, report::Plot(series.title, csv, {panel})};
 }
 
-/// Marks the first, the last, and some evenly between them to be shown.
+/// Marks the first sample, the last one and some evenly in between to be shown.
 void show_some(std::vector<Sample>& samples, std::size_t count) {
   const std::size_t last = samples.size() - 1, steps = std::min(count - 1, last);
   for (std::size_t k = 0; k <= steps; ++k) samples[steps == 0 ? 0 : (k * last + steps / 2) / steps].pictured = Up::kZ;

@@ -25,13 +25,13 @@ const std::vector<Search>& searches() {
   return all;
 }
 
-/// The optimum is certified finer than R is elsewhere, as small shortfalls are to be told from none.
+/// The optimum is certified more finely here than elsewhere, so that small shortfalls can be told from none.
 double resolution(const ExperimentContext& context) { return 1e-3 * context.gap; }
 
 struct Row {
   std::string mesh, error;
   double optimum = 0;             // R, certified
-  std::vector<double> shortfall;  // of each search
+  std::vector<double> shortfall;  // one element for each search
   std::vector<double> evaluations;
 };
 
@@ -53,7 +53,7 @@ Row measured(const std::string& mesh, const ExperimentContext& context) {
   return row;
 }
 
-/// Shapes of known and unknown optima, each in several poses.
+/// Shapes whose optimum is known and others, each in several poses.
 std::vector<std::string> own_meshes(int poses) {
   std::vector<std::string> meshes;
   for (const char* shape : {"box", "lshape", "pyramid", "prism?sides=6", "cylinder", "filleted-cube", "torus",
@@ -69,7 +69,8 @@ std::vector<std::string> own_meshes(int poses) {
 
 constexpr double kTargets[] = {1e-2, 1e-3, 1e-4, 1e-6};
 
-/// Of one search: how often it falls short by more than each target, its worst, and where.
+/// The results of one search: how often it falls short by more than each target, its worst shortfall, and where
+/// that was.
 Json summarise(const std::vector<Row>& rows, std::size_t search) {
   std::vector<double> shortfalls, evaluations;
   const Row* worst = nullptr;
@@ -95,7 +96,7 @@ Json summarise(const std::vector<Row>& rows, std::size_t search) {
           {"median_evaluations", laboratory::median(evaluations)}};
 }
 
-/// Share of the meshes on which a search falls short by more than x.
+/// Plots the share of the meshes on which a search falls short by more than x.
 report::NamedPlot distribution(const std::vector<Row>& rows, double gap) {
   std::vector<std::string> columns = {"share"};
   std::vector<std::vector<double>> sorted(searches().size());
@@ -128,7 +129,7 @@ struct Shortfall {
   int poses = 5;
 
   void bind(Parameters& parameters) {
-    parameters.integer("poses", poses, 1, 1000, "random poses of each of its own shapes");
+    parameters.integer("poses", poses, 1, 1000, "random poses of each built-in shape");
   }
 
   ExperimentResult run(const ExperimentContext& context) const {

@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 
 std::string number(double x) { return Json(x).dump(); }
 
-/// Classes of built-in shapes, each model of other proportions and in another pose.
+/// A collection of built-in shapes: the models of a class have different proportions and poses.
 retrieval::Collection built_in(int models, std::uint64_t seed) {
   const char* const kKinds[] = {"box", "pyramid", "stairs", "lshape", "torus", "ellipsoid", "cylinder"};
   retrieval::Collection collection;
@@ -51,7 +51,7 @@ retrieval::Collection built_in(int models, std::uint64_t seed) {
   return collection;
 }
 
-/// A folder that goes when it is no longer needed, if it is ours.
+/// A folder for signatures. If it is a temporary one it is removed at the end.
 class Cache {
  public:
   explicit Cache(const std::string& given) : path_(given), ours_(given.empty()) {
@@ -99,11 +99,11 @@ void TableSettings::bind(Parameters& parameters) {
         },
         [&target] { return Json(target); }, help);
   };
-  text("folder", folder, "folder of meshes; with `classes`. Without them: a small collection of built-in shapes");
+  text("folder", folder, "folder of meshes, needs `classes`; without both a small collection of built-in shapes");
   text("classes", classes, "classification of the folder's models, a .cla file");
   text("cache", cache, "folder in which signatures are kept from run to run");
   parameters.integer("models", models, 3, 1000, "models of each class of the built-in collection")
-      .integer("size", size, 16, 1024, "pixels in a row of a picture");
+      .integer("size", size, 16, 1024, "width and height of a picture in pixels");
 }
 
 ScoredTable score(const std::vector<Row>& rows, const TableSettings& settings, const ExperimentContext& context) {

@@ -1,4 +1,4 @@
-// The tables of the paper's section 7: rows of descriptors, scored on a collection, beside the paper's figures.
+// The tables of the paper's section 7: descriptors scored on a collection, beside the paper's numbers.
 #pragma once
 
 #include <array>
@@ -19,17 +19,17 @@ inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 struct Row {
   std::string label;
-  std::string descriptor;  ///< for retrieval::make_descriptor(); empty: the paper cites it and so do we
-  PaperScores paper;       ///< on the test half of the Princeton Shape Benchmark
+  std::string descriptor;  ///< for retrieval::make_descriptor(); empty for a row that is only cited, as in the paper
+  PaperScores paper;       ///< scores on the test half of the Princeton Shape Benchmark
 };
 
 /// What the tables are run on.
 struct TableSettings {
-  std::string folder;   ///< of meshes, and
-  std::string classes;  ///< their .cla file; without both a small collection of built-in shapes is made
+  std::string folder;   ///< folder of meshes; needs `classes`
+  std::string classes;  ///< their .cla file; without both a small built-in collection is used
   std::string cache;    ///< folder in which signatures are kept; a temporary one if empty
   int models = 5;       ///< of each class of the built-in collection
-  int size = 256;       ///< pixels in a row of a picture
+  int size = 256;       ///< width and height of a picture in pixels
 
   void bind(Parameters& parameters);
 };
@@ -37,7 +37,7 @@ struct TableSettings {
 struct ScoredRow {
   Row row;
   retrieval::Scores scores;  ///< empty for cited rows
-  retrieval::Interval dcg;   ///< 95 %
+  retrieval::Interval dcg;   ///< 95 % interval
   std::size_t bytes = 0;
   double describe_seconds = 0, compare_seconds = 0;
 };
@@ -45,13 +45,14 @@ struct ScoredRow {
 struct ScoredTable {
   std::vector<ScoredRow> rows;
   std::vector<std::string> errors;
-  std::string collection;  ///< in words
+  std::string collection;  ///< the collection in words
 };
 
-/// Descriptors of the rows may hold `$size`, which the settings replace. Throws Stopped.
+/// Scores the rows on the collection. Descriptors of rows may contain `$size`, which becomes TableSettings::size.
+/// Throws Stopped.
 ScoredTable score(const std::vector<Row>& rows, const TableSettings& settings, const ExperimentContext& context);
 
-/// Ours beside the paper's, with a picture of the DCG.
+/// Our scores beside the paper's, with a plot of the DCG.
 ExperimentResult present(const std::string& name, const std::string& title, const ScoredTable& table);
 
 }  // namespace rectilin::paper::tables

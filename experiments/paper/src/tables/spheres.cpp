@@ -42,7 +42,7 @@ struct Table1 {
   }
 };
 
-/// The sphere's edges as seen from a little above; those behind are left out.
+/// Draws the sphere's edges as seen from slightly above; those at the back are left out.
 std::string drawn(const render::ViewSphere& sphere, double x, double radius) {
   const Rotation view = rotation_from_euler(-1.2, 0, 0.4);
   std::ostringstream svg;

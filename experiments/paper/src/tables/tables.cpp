@@ -11,7 +11,7 @@ using tables::Row;
 
 constexpr const char* kSilhouettes = "gsmd?image=silhouette&size=$size";
 constexpr const char* kGsmd = "gsmd?size=$size";
-// Weights of sums, cross-validated on the benchmark's training half (papers/retrieval.md).
+// Weights of sums of descriptors, cross-validated on the benchmark's training half (papers/retrieval.md).
 constexpr const char* kWithR = "+0.1*r";
 
 std::string views(const char* base, int count) { return std::string(base) + "&views=" + std::to_string(count); }
@@ -25,7 +25,7 @@ std::vector<Row> table2_rows() {
           {"LFD as coded", "lfd:ntu?size=$size", {65.7, 38.0, 48.7, 64.3}}};
 }
 
-/// Poses and ways to match. The rows by principal axes are there if the poses are.
+/// Table 3: poses and ways to match. The rows with principal axes are included only if such poses are available.
 std::vector<Row> table3_rows() {
   const std::string base = std::string(kSilhouettes) + "&views=66";
   std::vector<Row> rows{{"rectilinear, 24", base, {67.9, 40.8, 51.3, 66.4}}};
@@ -66,7 +66,7 @@ std::vector<Row> table6_rows() {
           {"SWC (cited)", "", {46.9, 31.4, 39.7, 65.4}}};
 }
 
-/// Precision-recall curves of all rows of Tables 4 and 5.
+/// Precision-recall curves of all rows of tables 4 and 5.
 ExperimentResult precision_recall(const tables::ScoredTable& table) {
   ExperimentResult result;
   result.errors = table.errors;
@@ -102,7 +102,7 @@ ExperimentResult precision_recall(const tables::ScoredTable& table) {
   return result;
 }
 
-/// A table as an experiment: `Which` has a name, a title and its rows.
+/// A table as an experiment: `Which` supplies name, title and rows.
 template <class Which>
 struct TableExperiment {
   tables::TableSettings settings;

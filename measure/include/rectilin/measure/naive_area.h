@@ -1,4 +1,4 @@
-// The objective as one would write it first: one loop, one direction, one face at a time.
+// The objective in its simplest form: plain loops, one direction and one face at a time.
 #pragma once
 
 #include "rectilin/measure/area_vectors.h"
@@ -6,8 +6,8 @@
 
 namespace rectilin {
 
-/// sum |u . v_i| in plain C++, compiled with the project's flags. Its additions must stay in order,
-/// so compilers leave it scalar.
+/// sum |u . v_i| in plain C++, compiled with the flags of the project. Compilers must keep the order of the additions,
+/// so they do not use vector instructions.
 double naive_value(const AreaVectors& vectors, const Vector3& u);
 
 class NaiveArea final : public Objective {

@@ -17,8 +17,8 @@
 //     objective.value(rotation_from_euler(0, 0, std::numbers::pi / 4));  // 1 + (sqrt(2) - 1) 2/3: turned by 45 degrees
 //     rectilinearity(1.0);                                               // 1
 //
-// The sum runs over a million vectors in microseconds (direction_tree.h) or over all of them with vector
-// instructions (flat_sum.h); which of the two is decided by their number.
+// A tree sums a million vectors in microseconds (direction_tree.h); a flat sum goes over all of them with vector
+// instructions (flat_sum.h). The number of vectors decides which of the two is used.
 #pragma once
 
 #include <mutex>
@@ -34,22 +34,22 @@ namespace rectilin {
 /// R(M) from the least ratio P/S (eq. 27): 3 (S/P - 2/3). Ratios lie in [1, sqrt(3)] (eq. 12).
 inline double rectilinearity(double ratio) { return 3 / ratio - 2; }
 
-/// How the sums over the area vectors are formed. Either way they are exact up to rounding.
+/// How the sums over the area vectors are computed. Both ways are exact up to rounding.
 enum class SumMethod {
-  kAuto,  ///< the tree where DirectionTree::worthwhile(): the number of vectors alone decides
+  kAuto,  ///< the tree if DirectionTree::worthwhile(), which depends on the number of vectors alone
   kFlat,  ///< FlatSum
   kTree,  ///< DirectionTree
 };
 
-/// P(R)/S of a mesh, to be minimised over rotations; its merit is the rectilinearity.
-/// P(R) = h(r1) + h(r2) + h(r3) with h(u) = sum_i |u . v_i| over the area vectors (eqs. 1, 2, 7).
-/// Immutable and thread safe; the same bits for any number of threads, and for any batches. `precision` is
-/// that of the flat sum; the tree, and the flat sum inside it, are in double precision.
+/// P(R)/S of a mesh, to be minimised over rotations; its merit is the rectilinearity. P(R) = h(r1) + h(r2) + h(r3) with
+/// h(u) = sum_i |u . v_i| over the area vectors (eqs. 1, 2, 7). Immutable and thread safe, with the same bits for any
+/// number of threads and any division into batches. `precision` applies to the flat sum only; the tree, and the flat
+/// sum inside it, use double precision.
 class ProjectedArea final : public Objective {
  public:
   explicit ProjectedArea(AreaVectors vectors, std::string name = "mesh", SumMethod method = SumMethod::kAuto,
                          Precision precision = Precision::kDouble);
-  ProjectedArea(const ProjectedArea&) = delete;  // the kernel refers to the vectors in place
+  ProjectedArea(const ProjectedArea&) = delete;  // the sums refer to the vectors by address
   ProjectedArea& operator=(const ProjectedArea&) = delete;
 
   std::string name() const override { return name_; }

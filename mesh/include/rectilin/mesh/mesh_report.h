@@ -1,4 +1,4 @@
-// MeshReport for people and for programs.
+// Shows a MeshReport to people (one line) and to programs (JSON).
 #pragma once
 
 #include <string>
@@ -8,12 +8,13 @@
 
 namespace rectilin {
 
-/// One line that says what of a file is not in the mesh, and what was found where nothing should be: "left out: 2 faces
-/// of fewer than three corners, 230 bytes of data behind the last face (line 12)". Empty if the mesh is the whole mesh
-/// of the file. Every command that reads meshes says it.
+/// One line that says what part of a file is not in the mesh, and what the file holds that it should not: "left out: 2
+/// faces of fewer than three corners, 230 bytes of data behind the last face (line 12)". Empty if the mesh is the whole
+/// mesh of the file. Every command that reads meshes prints it.
 std::string summary(const MeshReport& report);
 
-/// An object with all fields of the report; `first_unknown` and `left_over_place` are null where there is none.
+/// A JSON object with all fields of the report; `first_unknown` and `left_over_place` are null where there is nothing
+/// to tell.
 Json to_json(const MeshReport& report);
 
 }  // namespace rectilin

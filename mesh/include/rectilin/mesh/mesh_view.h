@@ -1,4 +1,4 @@
-// A triangle mesh where it lies: in a Mesh, or in arrays of somebody else.
+// A view of a triangle mesh: of a Mesh, or of arrays that somebody else owns.
 #pragma once
 
 #include <span>
@@ -7,13 +7,14 @@
 
 namespace rectilin {
 
-/// Looks at a mesh without owning or copying it; what it looks at must outlive it. Mesh's invariants hold: every index
-/// is below vertices.size(), every coordinate is finite. A Mesh converts to it, so functions that only look take one.
+/// Refers to a mesh without owning or copying it; the mesh must outlive the view. As for Mesh, every index must be
+/// below vertices.size() and every coordinate finite. A Mesh converts to a view, so functions that only read a mesh
+/// take one.
 struct MeshView {
   std::span<const Vector3> vertices;
   std::span<const Triangle> triangles;
 
-  MeshView(const Mesh& mesh) : vertices(mesh.vertices), triangles(mesh.triangles) {}  // meant to be implicit
+  MeshView(const Mesh& mesh) : vertices(mesh.vertices), triangles(mesh.triangles) {}  // implicit on purpose
   MeshView(std::span<const Vector3> vertices_, std::span<const Triangle> triangles_)
       : vertices(vertices_), triangles(triangles_) {}
 };

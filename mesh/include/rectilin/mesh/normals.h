@@ -1,4 +1,4 @@
-// Point clouds with normals: directions with weights instead of a surface.
+// Point clouds with normals: directions with weights, where there is no surface.
 #pragma once
 
 #include <cstddef>
@@ -11,21 +11,21 @@
 
 namespace rectilin {
 
-/// Normals of points, or a Gauss map: how much of a surface faces which way. One weight a normal; only directions of
-/// normals count, not their lengths nor their sides.
+/// Normals of points, or a Gauss map (how much of a surface faces which way), with one weight for each. Only the
+/// directions of the normals count: neither their lengths nor which of the two sides they point to.
 struct WeightedNormals {
   std::vector<Vector3> normals;
-  std::vector<double> weights;  ///< none is negative
-  std::size_t points = 0;       ///< records in the file
+  std::vector<double> weights;  ///< one for each normal, 0 or more
+  std::size_t points = 0;       ///< points in the file
   std::size_t dropped = 0;      ///< points left out because their normal is zero or not finite
 };
 
-/// Reads the element `vertex` of a PLY file, text or binary: `nx`, `ny`, `nz`, and as weight `weight` or `area` if it
-/// has one of these, else 1. Throws MeshError if the file is malformed, is no PLY, has no normals, no point with one,
-/// or a weight that is negative or not finite. Thread safe.
+/// Reads the element `vertex` of a PLY file, text or binary: the normal `nx`, `ny`, `nz`, and as weight `weight` or
+/// `area` if there is one of these, otherwise 1. Throws MeshError if the file is malformed, is not PLY, has no normals,
+/// has no point with a usable normal, or has a weight that is negative or not finite. Thread safe.
 WeightedNormals read_normals(const std::filesystem::path& file);
 
-/// The same from bytes in memory; `name` stands for the file in errors.
+/// The same for bytes in memory; `name` is what errors call the file.
 WeightedNormals read_normals(std::string_view bytes, const std::string& name);
 
 }  // namespace rectilin

@@ -10,8 +10,8 @@
 
 namespace rectilin {
 
-/// Counts down from `wanted` evaluations (0: all the budget has left, or kUnlimited if it has no
-/// limit, neither of evaluations nor of time). Ends with the evaluator's budget at the latest.
+/// Counts down from `wanted` evaluations. 0 stands for all that the budget has left, or for kUnlimited if the budget
+/// limits neither evaluations nor time. Never lasts longer than the evaluator's budget.
 class Allowance {
  public:
   static constexpr std::uint64_t kUnlimited = 10000;
@@ -23,22 +23,22 @@ class Allowance {
 
   std::uint64_t remaining() const { return end_ > spent_by_all() ? end_ - spent_by_all() : 0; }
 
-  /// Is time all that ends it?
+  /// Is time the only limit?
   bool timed() const { return timed_; }
 
-  /// Is there no room for another evaluation at this price?
+  /// Is too little left for another evaluation at this price?
   bool spent(std::uint64_t price = Costs::kPerValue) const { return remaining() < price || evaluator_.exhausted(); }
 
-  /// The length to plan for when a search that must know it ahead (a cooling, a spiral) begins for
-  /// the `round`-th time, from 0: all that remains. If only time is limited, 10,000 evaluations,
-  /// 20,000, 40,000 and so on: the clock decides where such a run ends, but not what it does until
-  /// then, and its last complete round had about a quarter of the time or more.
+  /// How many evaluations to plan for, for a search that must know its length beforehand (a cooling schedule, a
+  /// spiral), when it begins for the `round`-th time, counted from 0. It is all that remains or, if only time is
+  /// limited, 10,000, then 20,000, 40,000 and so on: the clock decides where such a run ends but not what it does until
+  /// then, and its last complete round had at least about a quarter of the time.
   std::uint64_t plan(int round) const { return timed_ ? kUnlimited << std::min(round, 40) : remaining(); }
 
-  /// Declares the parameter that becomes `wanted`.
+  /// Declares the setting that becomes `wanted`.
   static void bind(Parameters& table, int& wanted) {
     table.integer("evaluations", wanted, 0, 2000000000,
-                  "evaluations at most; 0: what is left of the budget, 10,000 if it has no limit");
+                  "most evaluations; 0: what is left of the budget, or 10,000 if it has no limit");
   }
 
  private:

@@ -1,4 +1,4 @@
-// A proof of a lower bound, in a form that can be checked without the search that found it.
+// A proof of a lower bound, written so that a program that shares no code with the search can check it.
 #pragma once
 
 #include <array>
@@ -11,26 +11,29 @@
 
 namespace rectilin {
 
-/// The cube |rho_i| <= sqrt(2)-1 of Rodrigues vectors, halved again and again across the middle until a mixture of
-/// cuts bounds each part, or the least values, where its axes point to, of h less a quadratic form. A cut is given by
-/// the direction it is taken in alone: who checks it sums over the faces. So are floors by their values.
+/// The cube |rho_i| <= sqrt(2)-1 of Rodrigues vectors is halved again and again, until each part has a bound of its
+/// own: either a mixture of cuts, or floors, that is lower bounds of h less a quadratic form where the three axes point
+/// to. A cut is stated only by the direction that it is taken in; whoever checks it computes its sum over the faces
+/// anew. Floors are stated by their values and shown anew, too.
 struct Certificate {
-  /// One letter a node, every node before its parts, the lower half before the upper: 'x', 'y', 'z' halve
-  /// that axis; 'l' is the next leaf; 'h' takes the next floors; 'o' lies outside the zone |rho|_1 <= 1. "f" alone
-  /// stands for the general bound: no value is below S/S = 1.
+  /// The halvings as text, one letter for each node; a node stands before its two halves, and the lower half before the
+  /// upper one. 'x', 'y' and 'z' halve along that axis; 'l' is the next leaf with cuts; 'h' is a leaf with the next
+  /// floors; 'o' lies outside the zone |rho|_1 <= 1. The text "f" alone stands for the general bound: no value is below
+  /// S/S = 1.
   std::string tree;
 
   struct Term {
     std::uint32_t direction;  ///< index into `directions`
-    double weight;            ///< positive; those of an axis add up to 1, but for rounding
+    double weight;            ///< positive; the weights of an axis add up to 1, up to rounding
   };
   struct Leaf {
     std::vector<Term> axes[3];
   };
   std::vector<Leaf> leaves;
-  /// Of h(r_k) - r_k . F r_k, k = 0, 1, 2, on the box; with the trace of F they add up to `lower` or more.
+  /// Floors of h(r_k) - r_k . F r_k, k = 0, 1, 2, on the box; together with the trace of F they add up to `lower`
+  /// or more.
   std::vector<std::array<double, 3>> floors;
-  Eigen::Matrix3d form = Eigen::Matrix3d::Zero();  ///< F: symmetric
+  Eigen::Matrix3d form = Eigen::Matrix3d::Zero();  ///< F, symmetric
   std::vector<Eigen::Vector3d> directions;         ///< unit vectors in the mesh's coordinates
 
   Rotation rotation;  ///< the incumbent
@@ -38,7 +41,7 @@ struct Certificate {
   double lower = 0;   ///< proved: no rotation has a smaller value
 };
 
-/// The certificate as JSON: format, version, "mesh" (which says what it is about), and the fields above.
+/// The certificate as JSON: `format`, `version`, `mesh` (which identifies the mesh), and the fields above.
 Json to_json(const Certificate& certificate, const std::string& mesh);
 
 }  // namespace rectilin

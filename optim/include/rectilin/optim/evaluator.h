@@ -1,4 +1,5 @@
-// The one door through which an optimizer evaluates anything.
+// The evaluator: the only way by which an optimizer evaluates anything. It counts, keeps the best, and enforces
+// the budget.
 #pragma once
 
 #include <chrono>
@@ -15,8 +16,8 @@
 
 namespace rectilin {
 
-/// What a run may spend. A budget in evaluations gives the same result every time; with one in seconds the clock
-/// decides where the same run ends.
+/// What a run may spend. With a budget in evaluations equal runs give equal results; with a budget in seconds the clock
+/// decides where a run ends.
 struct Budget {
   std::uint64_t evaluations = std::numeric_limits<std::uint64_t>::max();
   double seconds = std::numeric_limits<double>::infinity();
@@ -25,20 +26,20 @@ struct Budget {
   bool limits_seconds() const { return seconds < std::numeric_limits<double>::infinity(); }
 };
 
-/// Costs in the one declared unit, an evaluation: the value of the objective at one rotation. What else can be asked
-/// for has a fixed price, so that budgets and traces do not depend on the machine: its time in values, measured on
-/// meshes of 300 to 20,000 faces (papers/laboratory.md). On larger meshes
-/// values are summed by a tree, which smooth values and turns are not: there these cost several times their price.
+/// What a run has asked for, in one unit, the evaluation: the value of the objective at one rotation. Everything else
+/// has a fixed price in evaluations, so that budgets and traces do not depend on the machine. Prices are the time each
+/// takes compared with a value, measured on meshes of 300 to 20,000 faces (papers/laboratory.md). On larger meshes a
+/// tree speeds up values but neither smooth values nor turns, which then cost several times their price.
 struct Costs {
   static constexpr std::uint64_t kPerValue = 1;
-  static constexpr std::uint64_t kPerCut = 2;     ///< sums three components a face where a value sums one
-  static constexpr std::uint64_t kPerSmooth = 5;  ///< square roots and divisions
-  static constexpr std::uint64_t kPerTurn = 20;   ///< angles of all faces, partly sorted
+  static constexpr std::uint64_t kPerCut = 2;     ///< it sums three components of each area vector, a value only one
+  static constexpr std::uint64_t kPerSmooth = 5;  ///< it takes square roots and divisions
+  static constexpr std::uint64_t kPerTurn = 20;   ///< it computes and partly sorts the angles of all area vectors
 
   std::uint64_t values = 0;   ///< rotations whose value was asked for
   std::uint64_t cuts = 0;     ///< rotations whose cut was asked for
   std::uint64_t smooths = 0;  ///< rotations at which the smooth surrogate was asked for
-  std::uint64_t turns = 0;    ///< circles that were minimised over
+  std::uint64_t turns = 0;    ///< circles of rotations that were minimised over
 
   std::uint64_t evaluations() const {
     return kPerValue * values + kPerCut * cuts + kPerSmooth * smooths + kPerTurn * turns;
@@ -51,8 +52,8 @@ struct Incumbent {
   double value = std::numeric_limits<double>::infinity();
 };
 
-/// A step of a run's history: after `evaluations`, the best value was `value` and the minimum was known
-/// to be at least `lower`.
+/// A step in a run's history: after `evaluations` the best value was `value`, and the minimum was known to be at
+/// least `lower`.
 struct TracePoint {
   std::uint64_t evaluations;
   double seconds;  ///< since the run began; the only field that differs between two equal runs
@@ -60,10 +61,10 @@ struct TracePoint {
   double lower;
 };
 
-/// Owns the budget, the count, the incumbent and the trace of one run, so that they hold whatever the
-/// optimizer (or a foreign library inside it) does. Past the budget nothing is evaluated or counted:
-/// values come back infinite. Not thread safe: a run asks from one thread, in batches, which the objective
-/// works on with all threads.
+/// Owns the budget, the counts, the incumbent and the trace of one run, so that they are right whatever the
+/// optimizer (or a library inside it) does. When the budget is spent nothing more is evaluated or counted, and
+/// values come back infinite. Not thread safe: a run asks from one thread, in batches, and the objective works on
+/// each batch with all threads.
 class Evaluator {
  public:
   /// `objective` must outlive the evaluator.
@@ -71,8 +72,8 @@ class Evaluator {
 
   const Objective& objective() const { return objective_; }
 
-  /// Has `observer` told now and then (between evaluations, ten times a second at most) how the run is getting on. It
-  /// sees the run and cannot change it.
+  /// Calls `observer` now and then (between evaluations, at most ten times a second) to tell how the run is getting on.
+  /// It can look at the run but not change it.
   void watch(std::function<void(const Evaluator&)> observer) { observer_ = std::move(observer); }
 
   double value(const Rotation& rotation);
@@ -82,27 +83,27 @@ class Evaluator {
   Cut cut(const Rotation& rotation);
   void cuts(std::span<const Rotation> rotations, std::span<Cut> cuts);
 
-  /// The smooth surrogate. It is an upper bound of the objective, so its value counts for the incumbent only
-  /// once the objective itself is asked for. Past the budget the value is infinite and the gradient zero.
+  /// The smooth surrogate. It is an upper bound of the objective, so its value does not make a new incumbent; only the
+  /// objective itself does. Past the budget the value is infinite and the gradient zero.
   SmoothValue smooth(const Rotation& rotation, double width);
 
-  /// Moves `rotation` to the best of its turns about its axis k and returns the value there; past the budget
-  /// it stays, and the value is infinite.
+  /// Turns `rotation` about its axis k to the best of all such turns and returns the value there. Past the budget the
+  /// rotation stays, and the value is infinite.
   double turn(Rotation& rotation, int k);
 
-  /// Reports a proof that no rotation has a value below `bound`.
+  /// Tells the evaluator of a proof that no rotation has a value below `bound`.
   void raise_lower_bound(double bound);
 
-  /// Says, for whoever watches, how many parts of the domain the proof has bounded so far.
+  /// Tells observers how many parts of the domain the proof has bounded so far.
   void note_parts_bounded(std::uint64_t parts) {
     parts_bounded_ = parts;
     tell();
   }
 
-  /// Is the budget spent, the time over or a stop asked for? Then an optimizer returns.
+  /// Is the budget spent, the time over, or a stop requested? An optimizer must then return.
   bool exhausted() const;
   const Budget& budget() const { return budget_; }
-  /// Evaluations left.
+  /// Evaluations that the budget has left.
   std::uint64_t remaining() const;
   /// Since the run began.
   double seconds() const;
@@ -114,10 +115,10 @@ class Evaluator {
   const Costs& costs() const { return costs_; }
   std::uint64_t parts_bounded() const { return parts_bounded_; }
 
-  /// One point for every improvement of the incumbent or of the bound, and one for the first evaluation.
+  /// One point for each improvement of the incumbent or of the bound, and one for the first evaluation.
   const std::vector<TracePoint>& trace() const { return trace_; }
 
-  /// A digest of every value given (of values, cuts, turns and the smooth surrogate), in the order asked for.
+  /// A digest of all numbers given out (values, cuts, turns, smooth values), in order: equal runs have equal digests.
   std::uint64_t digest() const { return digest_.value(); }
 
  private:
@@ -137,7 +138,7 @@ class Evaluator {
   std::vector<TracePoint> trace_;
   Fnv1a digest_;
   std::function<void(const Evaluator&)> observer_;
-  double next_telling_ = 0.5;  // seconds: short runs are not worth a word
+  double next_telling_ = 0.5;  // seconds; shorter runs are not reported
 };
 
 }  // namespace rectilin

@@ -5,10 +5,10 @@
 
 namespace rectilin {
 
-/// Each individual is three chromosomes, binary codes of the coordinates in the domain's box; its fitness
-/// is 1/value, the paper's S/P. The paper gives five numbers (the first five options) and leaves the rest
-/// open; the defaults for that are the textbook's simple genetic algorithm (Goldberg 1989, ch. 3): a
-/// roulette wheel, one crossover point a chromosome, plain binary codes; and the best individual survives.
+/// An individual has three chromosomes: binary codes of the three coordinates in the domain's box. Its fitness is
+/// 1/value, the paper's S/P. The paper states five numbers (the first five options) and leaves the rest open. For that
+/// the defaults are those of the simple genetic algorithm in the textbook (Goldberg 1989, ch. 3): roulette wheel
+/// selection, one crossover point for each chromosome, plain binary codes; in addition the best individual survives.
 /// papers/genetic.md compares them with the alternatives.
 struct GeneticOptions {
   enum class Selection { kRoulette, kTournament, kRank };
@@ -20,17 +20,17 @@ struct GeneticOptions {
   double crossover = 0.8;   ///< p_c, per pair of parents
   double mutation = 0.005;  ///< p_m, per bit
   Selection selection = Selection::kRoulette;
-  int tournament = 2;  ///< contestants per tournament, if that is the selection
+  int tournament = 2;  ///< individuals in a tournament, if that is the selection
   int points = 1;      ///< crossover points in each chromosome
   Encoding encoding = Encoding::kBinary;
-  int elitism = 1;  ///< best individuals that go on unchanged
+  int elitism = 1;  ///< number of best individuals that are kept unchanged
 
   void bind(Parameters& table);
   /// Throws ParameterError if elitism leaves no room for offspring.
   void check() const;
 };
 
-/// The optimizer `ga`; make_optimizer(genetic_algorithm(), options) has settings of one's own.
+/// The optimizer `ga`. To choose settings in code: make_optimizer(genetic_algorithm(), options).
 GlobalMethod<GeneticOptions> genetic_algorithm();
 
 }  // namespace rectilin

@@ -1,4 +1,5 @@
-// An optimizer from a struct of settings and a function: how the built-in ones are made, and how to add one's own.
+// Optimizers made from a struct of settings and a function. The built-in ones are made in this way, and your own
+// can be.
 #pragma once
 
 #include <string>
@@ -21,8 +22,8 @@ namespace rectilin {
 ///     registry.add(GlobalMethod<DiceOptions>{
 ///         .name = "dice", .help = "random rotations", .capabilities = {.uses_domain = false}, .run = dice});
 ///
-/// If the options have a member `check() const` it is called with the settings given, and throws ParameterError for
-/// values that are each acceptable but not together.
+/// If the options have a member `check() const`, it is called with the user's settings; it throws ParameterError for
+/// values that are each acceptable but not in combination.
 template <class Options_>
 struct GlobalMethod {
   using Options = Options_;
@@ -32,28 +33,28 @@ struct GlobalMethod {
   void (*run)(const Options& options, Evaluator& evaluator, const Domain& domain, Random& random);
 };
 
-/// A descent from one start, and what repeats it.
+/// A local method: a descent from one start, which can be repeated from many.
 template <class Options_>
 struct LocalMethod {
   using Options = Options_;
   std::string name, help;
-  Capabilities capabilities = {};  ///< but for `local`, which follows from `starts`
+  Capabilities capabilities = {};  ///< all but `local`, which follows from `starts`
   /// What LocalSearch::improve() does.
   void (*improve)(const Options& options, const Rotation& start, Evaluator& evaluator, const Domain& domain,
                   Random& random);
-  /// The option that says how often to begin, see improve_from_starts(): first from the incumbent, if there is one,
-  /// then from random rotations. Without it: once.
+  /// The option that holds the number of starts, see improve_from_starts(): first from the incumbent, if there is one,
+  /// then from random rotations. If null there is one start.
   int Options::*starts = nullptr;
 };
 
-/// Settings that the method's options accept; throws ParameterError otherwise.
+/// The method's options with the given settings; throws ParameterError if it does not accept them.
 template <class Options>
 Options checked(Options options) {
   if constexpr (requires { options.check(); }) options.check();
   return options;
 }
 
-/// A GlobalMethod with its settings, behind the interface of an optimizer.
+/// A GlobalMethod and its settings as an Optimizer.
 template <class Options>
 class GlobalOptimizer final : public OptimizerWith<Options> {
  public:
@@ -70,7 +71,7 @@ class GlobalOptimizer final : public OptimizerWith<Options> {
   GlobalMethod<Options> method_;
 };
 
-/// A LocalMethod with its settings, behind the interfaces of an optimizer and of a local search.
+/// A LocalMethod and its settings as an Optimizer and a LocalSearch.
 template <class Options>
 class LocalOptimizer final : public OptimizerWith<Options>, public LocalSearch {
  public:
@@ -96,7 +97,7 @@ class LocalOptimizer final : public OptimizerWith<Options>, public LocalSearch {
   LocalMethod<Options> method_;
 };
 
-/// The optimizer with these settings.
+/// Makes the optimizer with these settings.
 template <class Options>
 std::unique_ptr<Optimizer> make_optimizer(GlobalMethod<Options> method, std::type_identity_t<Options> options = {}) {
   return std::make_unique<GlobalOptimizer<Options>>(std::move(method), std::move(options));

@@ -1,4 +1,4 @@
-// An optimizer: a search for the rotation of least value.
+// An optimizer: a search for the rotation with the least value.
 #pragma once
 
 #include <memory>
@@ -11,23 +11,25 @@
 
 namespace rectilin {
 
-/// What an optimizer is like and what it asks of an objective.
+/// Properties of an optimizer, and what it needs from an objective.
 struct Capabilities {
-  bool deterministic = true;  ///< same seed and budget in evaluations, same trace, for any number of threads
-  bool uses_domain = true;    ///< searches the domain's box; otherwise it works on rotations themselves
-  bool uses_random = true;    ///< the seed matters
-  bool batches = false;       ///< asks for many values at a time
-  bool needs_cuts = false;    ///< asks for cuts
-  bool needs_smooth = false;  ///< asks for the smooth surrogate
-  bool needs_turns = false;   ///< asks for best turns
-  bool certifies = false;     ///< reports lower bounds
-  bool local = false;         ///< improves a start (the incumbent, if there is one) rather than searching everywhere
+  bool deterministic =
+      true;                 ///< the same seed and budget in evaluations give the same trace, for any number of threads
+  bool uses_domain = true;  ///< searches the box of a domain; otherwise it works on rotations directly
+  bool uses_random = true;  ///< the result depends on the seed
+  bool batches = false;     ///< asks for many values in one call
+  bool needs_cuts = false;  ///< needs cuts
+  bool needs_smooth = false;  ///< needs the smooth surrogate
+  bool needs_turns = false;   ///< needs best turns
+  bool certifies = false;     ///< proves lower bounds
+  bool local = false;         ///< improves a start (the incumbent, if there is one) instead of searching everywhere
 };
 
 /// Every capability with its name, in the order of declaration: `{"deterministic": true, ...}`.
 Json to_json(const Capabilities& capabilities);
 
-/// What the whole can do and needs if it runs all its parts: deterministic and local if all are, else what any is.
+/// The capabilities of a combination that runs both parts: deterministic and local only if both are, everything else if
+/// either is.
 Capabilities together(const Capabilities& a, const Capabilities& b);
 
 /// Immutable and thread safe: one optimizer may serve many runs at once.
@@ -35,21 +37,22 @@ class Optimizer {
  public:
   virtual ~Optimizer() = default;
 
-  /// The name it is made by, without parameters.
+  /// The name by which the registry knows it, without parameters.
   virtual std::string name() const = 0;
-  /// Every parameter with its value; making one from these gives the same optimizer.
+  /// All parameters with their values; an optimizer made from these is the same.
   virtual Json parameters() const = 0;
   virtual Capabilities capabilities() const = 0;
 
-  /// Searches until its own end or until evaluator.exhausted(). The result is the evaluator's incumbent.
-  /// If the evaluator has an incumbent already, a local optimizer starts there and a global one may use it.
+  /// Searches until the method ends by itself or evaluator.exhausted(). The result is the evaluator's incumbent. If
+  /// there is an incumbent already, a local optimizer starts from it and a global one may use it.
   virtual void run(Evaluator& evaluator, const Domain& domain, Random& random) const = 0;
 };
 
-/// Throws ParameterError if `objective` does not offer what `optimizer` needs. run_optimizer() asks before it begins.
+/// Throws ParameterError if `objective` does not offer what `optimizer` needs. run_optimizer() checks this first.
 void require_needs(const Optimizer& optimizer, const Objective& objective);
 
-/// Base of an optimizer whose settings are a struct with `bind(Parameters&)`; see method.h, which needs no class.
+/// Base class of optimizers whose settings are a struct with `bind(Parameters&)`. method.h makes such optimizers
+/// without a class.
 template <class Options>
 class OptimizerWith : public Optimizer {
  public:

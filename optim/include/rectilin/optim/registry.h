@@ -11,26 +11,26 @@
 
 namespace rectilin {
 
-/// Makes optimizers from text: `ga`, `ga?population=100&elitism=2`, or a pipeline of several, each
-/// starting where the one before it stopped, on what that left of the budget:
-/// `super-fibonacci?count=2000+nelder-mead`. A '+' before a letter separates stages; one before a
-/// digit belongs to a number. A value type: copy one and add your own.
+/// Makes optimizers from text: `ga`, `ga?population=100&elitism=2`, or a pipeline such as
+/// `super-fibonacci?count=2000+nelder-mead`, in which each optimizer starts where the one before it stopped, on the
+/// rest of the budget. A '+' before a letter separates stages; before a digit it belongs to a number. A value type:
+/// copy a registry and add your own.
 ///
-/// Optimizers are reached by their names. A header of its own is public only where callers need more of one than
-/// a RunRecord: certify.h for the proof, genetic.h for the paper's parameters.
+/// Optimizers are used through their names. One has a public header of its own only if callers need more from it than a
+/// RunRecord: certify.h for the proof, genetic.h for the paper's parameters.
 class Registry {
  public:
-  /// The registry is handed over because some optimizers are made of others.
+  /// Makers get the registry, because some optimizers are made of others.
   using Table = Factory<std::unique_ptr<Optimizer>, const Registry&>;
   using Entry = Table::Entry;
 
-  /// Adds a GlobalMethod or LocalMethod under its name.
+  /// Adds a GlobalMethod or a LocalMethod under its name.
   template <class Method>
   Registry& add(Method method) {
     return add(std::move(method), typename Method::Options());
   }
 
-  /// The same with other defaults, for one of a family.
+  /// Likewise with other defaults, for methods that come in variants.
   template <class Method>
   Registry& add(Method method, typename Method::Options defaults) {
     const std::string name = method.name, help = method.help;
@@ -39,7 +39,8 @@ class Registry {
     });
   }
 
-  /// Adds any other kind of optimizer: `maker(options, registry)` makes it of `defaults` with the settings applied.
+  /// Adds any other kind of optimizer: `maker(options, registry)` makes it; its options are `defaults` with the user's
+  /// settings applied.
   template <class Options, class Maker>
   Registry& add(std::string name, std::string help, Options defaults, Maker maker) {
     table_.add(std::move(name), std::move(help), std::move(defaults), std::move(maker));
@@ -49,8 +50,8 @@ class Registry {
   /// Throws ParameterError for an unknown name or a setting the optimizer does not accept.
   std::unique_ptr<Optimizer> make(std::string_view spec) const;
 
-  /// The same from a name and settings, such as an optimizer's name() and parameters(). The
-  /// settings of a pipeline are an array, one object a stage.
+  /// Likewise from a name and settings, such as an optimizer's name() and parameters(). The settings of a pipeline are
+  /// an array with one object for each stage.
   std::unique_ptr<Optimizer> make(std::string_view name, const Json& settings) const;
 
   const std::vector<Entry>& entries() const { return table_.entries(); }
@@ -59,8 +60,8 @@ class Registry {
   Table table_{"optimizer"};
 };
 
-/// The library's own optimizers. A new one is one file, which defines `void add_NAME(Registry&)`, and one line in
-/// optim/CMakeLists.txt; those of other libraries are in rectilin/optim/adapters/all_optimizers.h.
+/// The built-in optimizers. A new one is one file, which defines `void add_NAME(Registry&)`, and one line in
+/// optim/CMakeLists.txt. Optimizers of other libraries are in rectilin/optim/adapters/all_optimizers.h.
 const Registry& builtin_optimizers();
 
 }  // namespace rectilin

@@ -1,4 +1,4 @@
-// Sheets of small pictures.
+// Contact sheets: many small pictures on one sheet.
 #pragma once
 
 #include <string>
@@ -6,17 +6,17 @@
 
 namespace rectilin::report {
 
-/// A picture (a PNG file, or none) with its name and its value below.
+/// A picture (the content of a PNG file; may be empty) with a name and a value below it.
 struct SheetCell {
   std::string png, name, value;
 };
 
 struct ContactSheet {
   std::string svg;
-  int width;  ///< natural, in pixels
+  int width;  ///< natural width in pixels
 };
 
-/// The cells row by row, the pictures inside the SVG.
+/// Arranges the cells row by row; the pictures are embedded in the SVG.
 ContactSheet contact_sheet(const std::vector<SheetCell>& cells, int columns);
 
 }  // namespace rectilin::report

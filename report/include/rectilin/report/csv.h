@@ -11,7 +11,7 @@ class Csv {
  public:
   explicit Csv(std::vector<std::string> columns);
 
-  /// A cell: text, or a number with all its digits. Numbers that are not finite make empty cells.
+  /// A cell: text, or a number with all its digits. Numbers that are not finite give empty cells.
   struct Cell {
     std::string text;
     Cell(std::string t) : text(std::move(t)) {}
@@ -21,7 +21,7 @@ class Csv {
     Cell(std::size_t x) : text(std::to_string(x)) {}
   };
 
-  /// As many cells as there are columns.
+  /// Adds a row; it must have as many cells as there are columns.
   void row(const std::vector<Cell>& cells);
 
   const std::vector<std::string>& columns() const { return columns_; }

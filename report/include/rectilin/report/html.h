@@ -1,4 +1,4 @@
-// Pieces of a web page that opens from disk.
+// Pieces of web pages that open from disk, without a server.
 #pragma once
 
 #include <string>
@@ -7,13 +7,14 @@
 
 namespace rectilin::report::html {
 
-/// Text as HTML or SVG shows it, in one line: printable (see printable()), with entities for what has a meaning.
+/// Makes text safe for HTML and SVG: one printable line (see printable()), with entities for characters that have a
+/// meaning there.
 std::string escape(std::string_view text);
-/// The same for text of several lines.
+/// The same for text of several lines, which stay.
 std::string escape_lines(std::string_view text);
 
-/// A table that scrolls if it is wider than the screen. Cells are HTML; the first column is text, the others are
-/// numbers.
+/// A table that scrolls sideways if it is wider than the screen. Cells are HTML; the first column is text, the others
+/// are numbers.
 class Table {
  public:
   explicit Table(const std::vector<std::string>& header);
@@ -26,17 +27,17 @@ class Table {
 
 std::string heading(const std::string& text);
 std::string paragraph(const std::string& html);
-/// Hidden behind a line to click on, but printed.
+/// HTML that is hidden until the summary is clicked, but always printed.
 std::string details(const std::string& summary, const std::string& html);
 std::string link(const std::string& target, const std::string& text);
 
-/// A picture with a caption, at most a little larger than `width` pixels. Wide ones scroll on small screens instead
-/// of shrinking.
+/// A picture with a caption, shown at most a little larger than `width` pixels. On small screens wide pictures scroll
+/// instead of shrinking.
 std::string picture(const std::string& svg, const std::string& caption, const std::string& more, int width);
-/// Things side by side where there is room.
+/// Puts things side by side where there is room.
 std::string side_by_side(const std::string& html);
 
-/// The whole page with its style, which is all inside.
+/// The whole page, which contains its style and needs no other files for it.
 std::string page(const std::string& title, const std::string& body);
 
 }  // namespace rectilin::report::html

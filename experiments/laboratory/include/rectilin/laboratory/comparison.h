@@ -1,4 +1,5 @@
-// Runs a comparison: K seeded runs of every optimizer on random rotations of every mesh, one budget for all.
+// Runs a comparison: K runs of every optimizer on every mesh, each run from its own seed and on its own random rotation
+// of the mesh, all on the same budget.
 #pragma once
 
 #include <filesystem>
@@ -17,48 +18,51 @@ namespace rectilin::laboratory {
 
 /// Progress of a comparison.
 struct ComparisonProgress {
-  std::size_t done = 0, total = 0;                                ///< runs, those of an earlier start included
-  double seconds_left = std::numeric_limits<double>::infinity();  ///< estimated; infinite while nothing is known
-  std::string text;                                               ///< what goes on
+  std::size_t done = 0, total = 0;  ///< runs, including those of an earlier start
+  double seconds_left =
+      std::numeric_limits<double>::infinity();  ///< estimated; infinite while there is nothing to go by
+  std::string text;                             ///< what is being done
 };
 
-/// What a comparison needs of a mesh.
+/// What a comparison needs to know about a mesh.
 struct ComparedMesh {
   AreaVectors vectors;
   std::size_t faces = 0;
-  std::string digest;  ///< tells another mesh from this one when a comparison goes on
+  std::string digest;  ///< tells whether the mesh has changed when a comparison is resumed
 };
 
-/// That of load_mesh(), with its mesh_digest().
+/// Loads a mesh with load_mesh() and digests it with mesh_digest().
 ComparedMesh load_compared_mesh(const std::string& source);
 
 struct ComparisonSettings {
   std::stop_token stop = {};
-  std::string command_line = {};                                    ///< for the record
+  std::string command_line = {};                                    ///< for the record in provenance.json
   std::function<void(const ComparisonProgress&)> on_progress = {};  ///< called from any thread, one at a time
-  /// Makes the mesh of a name in the plan; called once for each, one at a time. What it throws is that mesh's error.
+  /// Loads the mesh of a name in the plan; called once for each, one at a time. If it throws, that is the error of
+  /// this mesh.
   std::function<ComparedMesh(const std::string& name)> load = load_compared_mesh;
-  /// Makes the objective of a mesh if Plan::objective is another than kRectilinearity; called as `load` is.
+  /// Makes the objective of a mesh, if Plan::objective is not kRectilinearity; called like `load`.
   std::function<std::shared_ptr<const Objective>(const std::string& name)> objective = {};
 };
 
 struct ComparisonOutcome {
-  bool complete = false;  ///< nothing is left to run
+  bool complete = false;  ///< all runs of the plan are done
   std::size_t failed_runs = 0;
   std::vector<std::string> mesh_errors;  ///< one line for each mesh that could not be measured
 };
 
-/// Does what is left of `plan` in `folder`, which is made if need be and afterwards holds
+/// Does the runs of `plan` that are not yet in `folder`, which is made if necessary and afterwards holds
 /// - plan.json: the plan; provenance.json: see record_start();
-/// - meshes.jsonl: a line for each mesh with its digest and certified bounds of R, or why it cannot be measured;
-/// - runs.jsonl: a line for each finished run, written when it finishes: to_json(RunRecord) and `mesh`, `entry`
-///   (the label), `run`, `instance` (the mesh's rotation) and the `trace` (arrays `evaluations`, `seconds`,
-///   `merit`: R of the best rotation so far, wherever it rose).
-/// Runs go on beside each other, each confined to one thread; so lines come in any order, but what they say, times
-/// apart, depends on the plan alone. Certificates come first, one mesh at a time with all threads.
-/// Throws ParameterError for a plan that check() refuses, or if the folder holds another plan or a mesh has changed
-/// since, std::runtime_error if the folder cannot be written or another program is writing there. A stop leaves
-/// finished runs in place; call again to go on.
+/// - meshes.jsonl: a line for each mesh with its digest and certified bounds of R, or the reason why it cannot
+///   be measured;
+/// - runs.jsonl: a line for each finished run, written when it finishes: to_json(RunRecord) and `mesh`, `entry` (the
+///   label), `run`, `instance` (the mesh's rotation) and the `trace` (arrays `evaluations`, `seconds`, `merit`: R of
+///   the best rotation so far, wherever it rose).
+/// Several runs go on at a time, each on one thread. So their lines can come in any order, but what the lines say,
+/// except for times, depends on the plan alone. The bounds of the meshes are proved first, one mesh at a time with all
+/// threads. Throws ParameterError for a plan that check() refuses, if the folder holds a comparison with another plan,
+/// or if a mesh has changed since; std::runtime_error if the folder cannot be written or another program is writing
+/// there. A stop keeps the finished runs; call again to resume.
 ComparisonOutcome run_comparison(const Plan& plan, const std::filesystem::path& folder, const Registry& registry,
                                  const ComparisonSettings& settings = {});
 

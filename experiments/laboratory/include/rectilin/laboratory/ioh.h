@@ -1,4 +1,5 @@
-// Export in the format of IOHprofiler (Doerr et al. 2018; de Nobel et al. 2021), for IOHanalyzer and IOHinspector.
+// Exports a comparison in the format of IOHprofiler (Doerr et al. 2018; de Nobel et al. 2021), which IOHanalyzer and
+// IOHinspector read.
 #pragma once
 
 #include <filesystem>
@@ -7,13 +8,13 @@
 
 namespace rectilin::laboratory {
 
-/// Writes a folder for each entry that has runs, with
+/// Writes a folder for each entry that has runs. It holds
 /// - IOHprofiler_f{ID}_{MESH}.json: algorithm, function (the mesh; ID is its place in the plan, from 1), and for each
 ///   run its instance (from 1), evaluations and best point (Rodrigues vector of the best rotation);
 /// - data_f{ID}_{MESH}/IOHprofiler_f{ID}_DIM3.dat: for each run the header `evaluations raw_y` and a line for every
-///   improvement. raw_y is the gap, to be minimised, with 17 significant digits. Evaluation 1 and the last are
-///   always there: readers tell runs apart by the former.
-/// Throws std::runtime_error if that cannot be written.
+///   improvement. raw_y is the gap, to be minimised, with 17 significant digits. There is always a line for evaluation
+///   1, by which readers tell runs apart, and one for the last evaluation.
+/// Throws std::runtime_error if a file cannot be written.
 void export_ioh(const Results& results, const std::filesystem::path& folder);
 
 }  // namespace rectilin::laboratory

@@ -1,4 +1,4 @@
-// What a comparison says, in numbers.
+// The results of a comparison in numbers.
 #pragma once
 
 #include <vector>
@@ -8,34 +8,34 @@
 
 namespace rectilin::laboratory {
 
-/// Gaps that runs are asked to reach: 10^-0.5, 10^-1, ... 10^-9.
+/// The gaps that runs are asked to reach: 10^-0.5, 10^-1, ... 10^-9.
 const std::vector<double>& targets();
 
 /// "1e-3", or "10^-2.5" between powers of ten.
 std::string target_name(double target);
 
-/// An entry on a mesh.
+/// One cell of the table of entries by meshes: how the runs of an entry on a mesh ended.
 struct Cell {
   std::size_t runs = 0, failures = 0;
   double low = 0, median = 0, high = 0;  ///< 10 %, 50 %, 90 % quantiles of the final gap; NaN without runs
-  std::vector<RunningTime> to_target;    ///< in evaluations, one a target
+  std::vector<RunningTime> to_target;    ///< in evaluations, one element for each target
 };
 
-/// How an entry stands after some evaluations, over all meshes.
+/// How an entry ranks after some number of evaluations, over all meshes.
 struct Standing {
-  double mean_rank = 0;  ///< mean over meshes of the rank of its median gap; 1: always the least
-  double gap = 0;        ///< geometric mean over meshes of the median gap
+  double mean_rank = 0;  ///< rank of its median gap, mean over meshes; 1: always the best
+  double gap = 0;        ///< its median gap, geometric mean over meshes
   std::size_t wins = 0;  ///< meshes on which no other has a smaller median gap
 };
 
-/// A rank-sum test of final gaps on one mesh.
+/// A rank-sum test of the final gaps of two entries on one mesh.
 struct PairTest {
   std::size_t mesh, first, second;  ///< entries, first < second
   RankSum test;
   double corrected = 1;  ///< p after Holm's correction over all tests of the comparison
 };
 
-/// What an entry used, over all its runs.
+/// What the runs of an entry used, on average.
 struct Usage {
   double evaluations = 0, seconds = 0, cpu_seconds = 0;  ///< means per run
   double values = 0, cuts = 0, smooths = 0, turns = 0;   ///< means per run
@@ -49,21 +49,21 @@ struct Summary {
   std::vector<PairTest> tests;                    ///< by mesh and pair
   std::vector<Usage> usage;                       ///< [entry]
 
-  /// Entries by their standing at the budget of that index, the best first.
+  /// The entries sorted by their standing at the budget with this index, the best first.
   std::vector<std::size_t> order(std::size_t budget) const;
 };
 
 inline constexpr double kSignificance = 0.05;
 
-/// Is a target wider than the mesh's certificate? Only then can it be told whether a run has reached it.
+/// Is the target wider than the mesh's bounds? Only then can it be told whether a run has reached it.
 bool decidable(const MeshResult& mesh, double target);
 
-/// Quantile of gaps, interpolated between their logarithms.
+/// A quantile of gaps, interpolated between their logarithms.
 double gap_quantile(const std::vector<double>& gaps, double p);
 
 Summary summarise(const Results& results);
 
-/// All numbers; those that do not exist (an expected running time without a success) are null.
+/// The summary as JSON; numbers that do not exist, such as the expected running time without a success, are null.
 Json to_json(const Summary& summary, const Results& results);
 
 }  // namespace rectilin::laboratory

@@ -1,4 +1,4 @@
-// The paper's claims: the ledger of them, a test of each, and what the tests find.
+// The paper's claims: a list of them (the ledger), a test of each, and what the tests find.
 #pragma once
 
 #include <cstdint>
@@ -17,56 +17,56 @@
 
 namespace rectilin::paper {
 
-/// An entry of papers/claims.json, which is compiled into the library.
+/// A claim, as papers/claims.json states it; that file is compiled into the library.
 struct Claim {
   std::string id;         ///< short name, as in `--claims`
   std::string source;     ///< equation, theorem or figure of the paper
   std::string statement;  ///< what is claimed
-  std::string test;       ///< how it is tested, and what the margin is
-  double tolerance = 0;   ///< how far from zero a margin may be and still count as zero
+  std::string test;       ///< how it is tested, and what its margin is (see Finding)
+  double tolerance = 0;   ///< margins no further than this from zero count as zero
   std::string why;        ///< where that tolerance comes from
-  std::string code;       ///< the file with the test, from the project's root
+  std::string code;       ///< path of the test's source, from the root of the project
   bool should_hold = true;
-  std::string remark;  ///< what is to be expected, where that takes words; may be empty
+  std::string remark;  ///< what to expect, if that needs explaining; may be empty
 };
 
-/// All claims, in the ledger's order. Thread safe.
+/// All claims in the order of the ledger. Thread safe.
 const std::vector<Claim>& all_claims();
 
-/// The ledger as a table in Markdown: what papers/claims.md holds.
+/// The ledger as a table in Markdown: the content of papers/claims.md.
 std::string claims_markdown();
 
-/// What one test of a claim found at its worst place.
+/// What one test of a claim found, at the worst place.
 struct Finding {
-  /// Room between what was seen and what the claim allows; negative if it is violated, by so much.
+  /// The margin: by how much the claim holds, or, if negative, by how much it is violated.
   double margin = std::numeric_limits<double>::infinity();
-  std::string where = {};                 ///< the mesh: a source for load_mesh(), or words if `mesh` is set
+  std::string where = {};                 ///< the mesh as a source for load_mesh(); a description if `mesh` is set
   std::shared_ptr<const Mesh> mesh = {};  ///< the mesh itself if no source names it
   Rotation rotation = {};
-  std::string note = {};  ///< figures worth reading, one line; may be empty
+  std::string note = {};  ///< numbers worth reading, in one line; may be empty
 };
 
 enum class ClaimVerdict {
   kFails,            ///< margin < -tolerance
-  kHolds,            ///< margin within the tolerance of zero: the claim holds and is attained
+  kHolds,            ///< margin within the tolerance of zero: the claim holds, with equality
   kHoldsWithMargin,  ///< margin > tolerance
-  kUntested,         ///< nothing that it applies to was given
+  kUntested,         ///< none of the given meshes can test it
 };
 std::string_view to_string(ClaimVerdict verdict);
 
 struct ClaimResult {
   const Claim* claim = nullptr;
   ClaimVerdict verdict = ClaimVerdict::kUntested;
-  Finding decisive;        ///< the finding with the margin the verdict rests on: as a rule the worst
-  std::size_t tested = 0;  ///< findings
-  std::size_t failed = 0;  ///< of them, beyond the tolerance
+  Finding decisive;        ///< the finding that the verdict rests on: as a rule the worst
+  std::size_t tested = 0;  ///< number of findings
+  std::size_t failed = 0;  ///< number of findings that violate the claim by more than the tolerance
 };
 
 struct ValidationSettings {
-  std::vector<std::string> claims = {};  ///< ids; empty: all
+  std::vector<std::string> claims = {};  ///< ids of the claims to test; empty: all
   std::uint64_t seed = 1;
   std::stop_token stop = {};
-  /// Called from any thread, one at a time: steps done, steps in all, what was done.
+  /// Called from any thread, one call at a time, with the steps done, the steps in all, and what was done.
   std::function<void(std::size_t, std::size_t, const std::string&)> on_progress = {};
 };
 
@@ -75,17 +75,17 @@ struct Validation {
   std::vector<std::string> errors;   ///< a line for each source that could not be read
   bool complete = true;              ///< false after a stop
 
-  /// Did every claim hold that should?
+  /// Did every claim hold that is expected to?
   bool as_expected() const;
 };
 
-/// Tests claims on meshes (sources for load_mesh(); without any, on validation_shapes()) and, where
-/// a claim is about certain shapes, on those. The result depends on sources, claims and seed, not
-/// on threads; the margin of linear-cost alone is a time. Throws ParameterError for an unknown
-/// claim, MeshError for a folder without meshes.
+/// Tests claims on meshes (sources for load_mesh(), or validation_shapes() if there are none) and, for claims about
+/// particular shapes, on those shapes. The result depends on sources, claims and seed but not on the number of threads;
+/// only the margin of the claim linear-cost is a time. Throws ParameterError for an unknown claim, MeshError for a
+/// folder without meshes.
 Validation validate(const std::vector<std::string>& sources, const ValidationSettings& settings = {});
 
-/// The built-in shapes that stand in where no mesh is given.
+/// The built-in shapes that are tested if no mesh is given.
 const std::vector<std::string>& validation_shapes();
 
 }  // namespace rectilin::paper

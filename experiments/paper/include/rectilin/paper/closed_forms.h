@@ -1,17 +1,16 @@
-// R(M) of shapes for which it can be written down; derived in papers/closed-forms.md. Pure
-// functions.
+// R(M) of shapes for which there is a formula; papers/closed-forms.md derives them. Pure functions.
 #pragma once
 
 #include "rectilin/mesh/mesh.h"
 
 namespace rectilin::paper {
 
-/// A square pyramid (shape:pyramid). Proved to be no more than R; equal to it wherever it has been
-/// certified.
+/// A square pyramid (shape:pyramid). It is proved that R is no less, and certified bounds agree with it wherever they
+/// were computed.
 double pyramid_rectilinearity(double base, double height);
 
-/// A prism over a regular polygon of `sides` >= 3 corners on a circle of `radius` (shape:prism);
-/// with caps or open.
+/// A prism over a regular polygon with `sides` >= 3 corners on a circle of `radius` (shape:prism), with or without its
+/// two ends.
 double prism_rectilinearity(int sides, double radius, double height, bool caps = true);
 
 /// A circular cylinder: the limit of prisms.
@@ -23,8 +22,7 @@ double ellipsoid_rectilinearity(double a, double b, double c);
 /// Its surface area (Legendre).
 double ellipsoid_area(double a, double b, double c);
 
-/// A unit cube whose top face, cut loose, is turned by `tilt` in [0, pi/2] about one of its middle
-/// lines.
+/// A unit cube whose top face is cut loose and turned by `tilt`, in [0, pi/2], about one of its middle lines.
 Mesh tilted_top_cube(double tilt);
 double tilted_top_rectilinearity(double tilt);
 

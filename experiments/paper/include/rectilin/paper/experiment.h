@@ -1,5 +1,5 @@
-// The paper's figures and what else there is to reproduce: each is a small program with a name,
-// from meshes to pictures, their data, and one line that compares with what the paper reports.
+// The experiments: the paper's figures and tables, and more. Each is a small program with a name that goes from meshes
+// to plots, their data, and one line that compares the outcome with what the paper reports.
 #pragma once
 
 #include <filesystem>
@@ -14,11 +14,11 @@
 
 namespace rectilin::paper {
 
-/// What an experiment is run with besides its own settings.
+/// What an experiment gets besides its own settings.
 struct ExperimentContext {
-  /// Sources, see load_mesh(); if there are none it makes its own.
+  /// The meshes as sources for load_mesh(); if there are none the experiment makes its own.
   std::vector<std::string> meshes = {};
-  std::uint64_t seed = 1;  ///< of everything random
+  std::uint64_t seed = 1;  ///< seed of everything random
   double gap = 1e-6;       ///< width to which R is certified
   std::stop_token stop = {};
   OnProgress on_progress = {};
@@ -26,36 +26,36 @@ struct ExperimentContext {
   LoopControl loop() const { return {.stop = stop, .on_progress = on_progress}; }
 };
 
-/// A picture that is made at once: NAME.svg, with NAME.csv.
+/// A picture that needs no gnuplot: NAME.svg, with its data in NAME.csv.
 struct Sheet {
   std::string name, caption;
   report::Csv data;
   std::string svg;
-  int width;  ///< natural, in pixels
+  int width;  ///< natural width in pixels
 };
 
-/// What came out. It depends on settings, meshes and seed alone, but for times where times are the
-/// subject.
+/// The result of an experiment. It depends on settings, meshes and seed alone, except for times where times are
+/// the subject.
 struct ExperimentResult {
-  std::string says;                           ///< one line: the outcome beside what the paper reports
+  std::string says;                           ///< one line: the outcome, and what the paper reports
   Json data = Json::array();                  ///< every number measured, for the JSON file
-  std::vector<report::NamedPlot> plots = {};  ///< the names begin with the experiment's
-  std::vector<Sheet> sheets = {};             ///< theirs, too
+  std::vector<report::NamedPlot> plots = {};  ///< their names begin with the name of the experiment
+  std::vector<Sheet> sheets = {};             ///< so do theirs
   std::vector<std::string> errors = {};       ///< a line for each mesh that could not be measured
 };
 
-/// `make` runs it: throws ParameterError for settings it does not accept, Stopped if the context's token stops it.
-/// `help` is its title.
+/// An experiment. `make` runs it; it throws ParameterError for settings that are not accepted, and Stopped if the
+/// context's token is stopped. `help` is the title.
 struct Experiment : Factory<ExperimentResult, const ExperimentContext&>::Entry {
-  std::string takes;  ///< meshes it can be given, in a few words; empty if it makes its own only
+  std::string takes;  ///< which meshes it can be given, in a few words; empty if it takes none
   Json quick;         ///< settings with which it takes about a second
 };
 
-/// Every experiment, in the order of the page. A new one is one file in experiments/paper/src/figures/
-/// and one line each in its experiments.h and in experiment.cpp.
+/// All experiments in the order of the page. A new one is one file in experiments/paper/src/figures/, and one line each
+/// in experiments.h there and in experiment.cpp.
 const std::vector<Experiment>& experiments();
 
-/// Throws ParameterError for a name that there is not.
+/// Finds an experiment by its name; throws ParameterError if there is none.
 const Experiment& find_experiment(const std::string& name);
 
 struct ExperimentOutcome {
@@ -64,16 +64,15 @@ struct ExperimentOutcome {
   report::PictureTroubles pictures;      ///< what could not be drawn
 };
 
-/// Runs an experiment and writes into `folder`, which is made if need be: NAME.json (settings, seed, meshes,
-/// provenance, `says` and all data) and for each picture its CSV, gnuplot (of curves) and SVG files. Meshes and
-/// pictures that failed are missing, with a line in the outcome; the rest is written all the same. Throws what
-/// Experiment::make() throws (then nothing is written), ParameterError for meshes given to an experiment that takes
-/// none, and std::runtime_error if the folder cannot be written.
+/// Runs an experiment and writes into `folder`, which is made if necessary: NAME.json (settings, seed, meshes,
+/// provenance, the line `says` and all data), and for each picture an SVG file, a CSV file and, if it is a plot, a
+/// gnuplot file. Meshes and pictures that fail are left out, with a line in the outcome; everything else is written all
+/// the same. Throws what Experiment::make() throws (then nothing is written), ParameterError if meshes are given to an
+/// experiment that takes none, and std::runtime_error if the folder cannot be written.
 ExperimentOutcome run_experiment(const Experiment& experiment, const Json& settings, const ExperimentContext& context,
                                  const std::filesystem::path& folder, const std::string& command_line);
 
-/// Writes index.html: all experiments whose files the folder holds. It opens from disk and needs no
-/// network.
+/// Writes index.html with all experiments whose files are in the folder. The page opens from disk and needs no network.
 void write_experiment_page(const std::filesystem::path& folder);
 
 }  // namespace rectilin::paper
