@@ -12,7 +12,9 @@ std::vector<Json> recover_journal(const std::filesystem::path& file) {
   std::vector<Json> values;
   std::uintmax_t whole = 0;  // bytes of complete lines
   {
+    errno = 0;
     std::ifstream in(file, std::ios::binary);
+    if (!in && errno != ENOENT) throw std::runtime_error(file.string() + ": " + system_reason(errno));
     for (std::string line; std::getline(in, line) && !in.eof();) {  // at the end of the file: no newline, cut off
       values.push_back(Json::parse(line, nullptr, false));
       if (values.back().is_discarded())

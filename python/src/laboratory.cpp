@@ -193,6 +193,7 @@ Comparison compare(py::handle problems, py::handle optimizers, py::object runs, 
   ComparisonSettings settings;
   settings.stop = interrupt.token();
   settings.command_line = "rectilin.compare() in Python";
+  settings.report = true;
   settings.on_progress = [&](const ComparisonProgress& state) {
     const std::lock_guard lock(mutex);
     now = state;
@@ -210,8 +211,7 @@ Comparison compare(py::handle problems, py::handle optimizers, py::object runs, 
     beside(
         [&] {
           result.outcome = run_comparison(plan, result.folder, competitors.registry(), settings);
-          if (!result.outcome.complete) return;
-          result.troubles = write_report(result.folder).lines;
+          result.troubles = result.outcome.pictures.lines;
         },
         [&] {
           interrupt.poll();
@@ -278,6 +278,9 @@ void bind_laboratory(py::module_& m) {
       .def_property_readonly(
           "mesh_errors", [](const Comparison& c) { return c.outcome.mesh_errors; },
           "One line for each mesh that could not be measured.")
+      .def_property_readonly(
+          "losses", [](const Comparison& c) { return c.outcome.losses; },
+          "One line for each mesh that is not all that its file holds.")
       .def_readonly("troubles", &Comparison::troubles, "Why pictures are missing, if they are: they take gnuplot.")
       .def_property_readonly(
           "summary", [](const Comparison& c) { return read_json(c.folder, "summary.json"); },

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -23,6 +24,8 @@ struct CorpusOptions {
   std::optional<std::uint64_t> memory;      ///< bytes for each worker, beyond what it begins with
   bool retry = false;                       ///< meshes that failed or were limited, too
   std::vector<std::filesystem::path> done;  ///< stores of the same task whose meshes need not be done again
+  /// Told of each row when it is in the store, one at a time, with summary() of what the mesh's reader left out.
+  std::function<void(const Row& row, const std::string& left_out)> on_row;
 };
 
 struct CorpusSummary {

@@ -6,6 +6,7 @@
 
 #include "rectilin/base/rotation.h"
 #include "rectilin/measure/projected_area.h"
+#include "rectilin/mesh/mesh_report.h"
 
 namespace rectilin::claims_detail {
 
@@ -42,7 +43,7 @@ struct TestMesh {
 };
 
 /// Throws what load_mesh() and area_vectors() throw.
-TestMesh make_test_mesh(const std::string& source);
+TestMesh make_test_mesh(const std::string& source, LossLog* losses = nullptr);
 TestMesh make_test_mesh(Mesh mesh, std::string name);
 
 /// The source of a built-in shape ("box?x=2") in a random pose.

@@ -23,8 +23,10 @@ using report::SheetCell;
 struct Sample {
   std::string label;                ///< short, for people
   std::string origin;               ///< a source for load_mesh(), perhaps with what was done to it
-  std::function<Mesh()> make;       ///< thread safe; the same mesh every time
+  std::function<Mesh()> make;       ///< thread safe; the same mesh every time; none: the mesh of the origin
   std::optional<Up> pictured = {};  ///< to be shown, this way up
+
+  Mesh mesh(const ExperimentContext& context) const { return make ? make() : context.load(origin); }
 };
 
 /// The mesh of a source for load_mesh().

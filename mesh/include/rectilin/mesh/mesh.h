@@ -30,10 +30,12 @@ struct SceneReport {
   double metres_per_unit = 0;  ///< the file's unit of length, by which the mesh has been scaled: it is in metres
   std::size_t instances = 0;   ///< meshes placed in the scene, each as often as it is placed
   std::size_t skipped = 0;     ///< parts of them that are points or lines, or have no positions
+  std::size_t unplaced = 0;    ///< meshes that the file holds and the scene does not show, supports of a print for one
+  std::size_t deformed = 0;    ///< meshes placed whose skin or morph targets are not applied: they are as at rest
 };
 
-/// What a reader found, repaired or left out on the way from a file to a Mesh: counts (all but `scene`), and where the first of a kind
-/// is. summary() (mesh_report.h) says in one line what was left out.
+/// What a reader found, repaired or left out on the way from a file to a Mesh: counts (all but `scene`), and where the
+/// first of a kind is. summary() (mesh_report.h) says in one line what was left out.
 struct MeshReport {
   std::size_t vertices = 0;               ///< vertex records in the file (STL: three for each triangle)
   std::size_t polygons = 0;               ///< face records in the file, strips counted by triangle
@@ -55,8 +57,8 @@ struct MeshReport {
   SceneReport scene;
 };
 
-/// Thrown when a mesh cannot be read, made or measured. what() is one line: "FILE:PLACE: reason", where PLACE is "line N" for
-/// text and "byte N" for binary data (counted from 0), or "FILE: reason" where no place applies.
+/// Thrown when a mesh cannot be read, made or measured. what() is one line: "FILE:PLACE: reason", where PLACE is "line
+/// N" for text and "byte N" for binary data (counted from 0), or "FILE: reason" where no place applies.
 class MeshError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

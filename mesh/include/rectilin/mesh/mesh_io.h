@@ -38,23 +38,23 @@ std::optional<MeshFormat> format_of_extension(const std::filesystem::path& file)
 /// OBJ. Read: `v`, `f` (`fo` in old files), indices from either end, lines continued by a backslash. Passed over:
 ///   statements that say nothing of polygons, such as groups, materials, lines and curves. Reported: all others, above
 ///   all free-form surfaces. Refused: unknown statements that look like vertices or faces, since a vertex less changes
-///   what all later indices mean; `call`, which asks for another file.
+///   what all later indices mean, whatever separates their numbers; `call`, which asks for another file.
 /// PLY (text, binary of both byte orders). Read: `vertex`, `face` and `tristrips`, one element a line or over several.
 ///   Passed over: other elements. Reported: those of them that list vertices; what follows the last element. Refused:
-///   values that the header does not know, header lines that are no statement.
+///   values that the header does not know, header lines that are no statement, binary files copied as text.
 /// STL, text. Read: words in their order whatever lines they stand on; several solids; one `vertex` before all three.
-///   Reported: facets of other than three corners. Refused: any other word, and what follows `endsolid`.
+///   Each loop of a facet is a polygon. Reported: those of other than three corners. Refused: any other word, what
+///   follows `endsolid`, NUL within the text.
 /// STL, binary. Read: files of 84 + 50 n bytes, n their count of triangles, whatever their first 80 bytes are.
-/// Reported:
-///   NUL or white space behind that. Refused: any other size, with what it may come from (several files in one, a copy
-///   in text mode, more data behind each triangle).
+///   Reported: NUL or white space behind that. Refused: any other size, with what it may come from (several files in
+///   one, a copy in text mode, more data behind each triangle).
 ///
 /// glTF 2.0, text and binary, with the buffers in files beside it and below (never elsewhere); 3MF. The scene is read:
-/// what
-///   it shows, or is to be built, with every instance in its place, in metres (see MeshReport::scene). Skins, morph
-///   targets, materials and images are left out; a file that needs a compression of its geometry (Draco, meshopt) is
-///   refused, and so is one whose instances come to more than 2^25 vertices and triangles. A 3MF file may unpack to 300
-///   times its size, or to 64 MiB if that is more.
+///   what it shows, or is to be built, with every instance in its place, in metres (see MeshReport::scene). Passed
+///   over: points, lines, materials, images. Reported: meshes that the scene does not show, a printer's supports among
+///   them; meshes whose skin or morph targets are not applied; indices that are left over behind the last triangle;
+///   what follows the end of a binary file. Refused: a compression of the geometry (Draco, meshopt); instances that
+///   come to more than 2^25 vertices and triangles; 3MF that unpacks to more than 300 times its size and 64 MiB.
 ///
 /// A polygon becomes a fan if the fan does not fold over itself, else its ears are clipped, so that
 /// a planar concave polygon keeps its area. Both look at the polygon along the coordinate axis

@@ -11,7 +11,9 @@
 
 #include "rectilin/laboratory/plan.h"
 #include "rectilin/measure/area_vectors.h"
+#include "rectilin/mesh/mesh_io.h"
 #include "rectilin/optim/objective.h"
+#include "rectilin/report/plot.h"
 
 namespace rectilin {
 
@@ -26,11 +28,13 @@ struct ComparisonProgress {
 struct ComparedMesh {
   AreaVectors vectors;
   std::size_t faces = 0;
-  std::string digest;  ///< tells another mesh from this one when a comparison goes on
+  std::string digest;         ///< tells another mesh from this one when a comparison goes on
+  std::string left_out = {};  ///< what the reader left out: summary() of its report
 };
 
 /// That of load_mesh(), with its mesh_digest().
 ComparedMesh load_compared_mesh(const std::string& source);
+ComparedMesh compared_mesh(const LoadedMesh& loaded);
 
 struct ComparisonSettings {
   std::stop_token stop = {};
@@ -38,14 +42,18 @@ struct ComparisonSettings {
   std::function<void(const ComparisonProgress&)> on_progress = {};  ///< called from any thread, one at a time
   /// Makes the mesh of a name in the plan; called once for each, one at a time. What it throws is that mesh's error.
   std::function<ComparedMesh(const std::string& name)> load = load_compared_mesh;
-  /// Makes the objective of a mesh if Plan::objective is another than kRectilinearity; called as `load` is.
+  /// Makes the objective of a mesh if Plan::objective is another than kRectilinearity; called right after `load`.
   std::function<std::shared_ptr<const Objective>(const std::string& name)> objective = {};
+  /// Writes the report, too, when nothing is left to run: see write_report().
+  bool report = false;
 };
 
 struct ComparisonOutcome {
   bool complete = false;  ///< nothing is left to run
   std::size_t failed_runs = 0;
   std::vector<std::string> mesh_errors;  ///< one line for each mesh that could not be measured
+  std::vector<std::string> losses;       ///< one line for each mesh that is not all that its file holds
+  PictureTroubles pictures;              ///< of the report
 };
 
 /// Does what is left of `plan` in `folder`, which is made if need be and afterwards holds

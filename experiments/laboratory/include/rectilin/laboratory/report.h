@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "rectilin/base/folder_lock.h"
 #include "rectilin/report/plot.h"
 
 namespace rectilin {
@@ -12,5 +13,8 @@ namespace rectilin {
 /// pictures, and the rest is written all the same. Nobody else writes there meanwhile. Throws std::runtime_error if the
 /// folder holds no comparison, cannot be written or another program is writing there.
 PictureTroubles write_report(const std::filesystem::path& folder);
+
+/// The same for who holds the folder already.
+PictureTroubles write_report(const std::filesystem::path& folder, const FolderLock& held);
 
 }  // namespace rectilin

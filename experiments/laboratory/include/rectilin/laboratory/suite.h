@@ -34,7 +34,8 @@ const Suite& suite_by_name(std::string_view name);
 Suite suite_of(const std::vector<std::string>& sources);
 
 /// A problem for programs in any language: an object with
-/// - `format` ("rectilin problem"), `version` (1), `name`, `source`, `digest` (of the mesh), `faces`, `directions`;
+/// - `format` ("rectilin problem"), `version` (1), `name`, `source`, `digest` (of the mesh), `faces`, `directions`, and
+///   `left_out` if the mesh is not all that its file holds;
 /// - `vectors`: area vectors over the whole area, rows of three numbers. The objective is to be minimised over
 ///   rotations R: value(R) = sum over rows v of |R v|_1, in [1, sqrt(3)];
 /// - `rotation`, `value`: the best known; `value_lower`: proved, no rotation has less;
@@ -44,8 +45,9 @@ Json problem_json(const std::string& name, const std::string& source, const Comp
 
 /// Writes NAME.json of every problem, certified to `gap`, and suite.json, which lists them with their digests and
 /// intervals. Throws MeshError for a mesh that cannot be measured, std::runtime_error if the folder cannot be written.
-/// A stop ends it with Stopped.
-void export_suite(const Suite& suite, const std::filesystem::path& folder, double gap, const LoopControl& control = {});
+/// A stop ends it with Stopped. Returns a line for each mesh that is not all that its file holds.
+std::vector<std::string> export_suite(const Suite& suite, const std::filesystem::path& folder, double gap,
+                                      const LoopControl& control = {});
 
 /// Adds runs of other programs to a finished comparison (see run_comparison()), whose page shows them from the next
 /// write_report() on. `text` has a JSON object a line:
