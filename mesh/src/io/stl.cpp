@@ -157,7 +157,7 @@ class TextFile {
   std::string_view keyword() {
     const std::string_view word = text_.next_word();
     if (is_keyword(word, "outer")) {
-      if (is_keyword(ahead(), "loop")) text_.next_word();
+      pass_if([](std::string_view next) { return is_keyword(next, "loop"); });
       return word;
     }
     if (!is_keyword(word, "end")) return word;
@@ -171,6 +171,15 @@ class TextFile {
   std::string_view ahead() const {
     LineReader copy = text_;
     return copy.next_word();
+  }
+
+  // Passes over the next word if it is one of those.
+  template <class Is>
+  bool pass_if(const Is& is) {
+    LineReader behind = text_;
+    if (!is(behind.next_word())) return false;
+    text_ = behind;
+    return true;
   }
 
   // The rest of the line is a name, but for what can only be the next facet, the end or the next solid, where all
@@ -204,10 +213,11 @@ class TextFile {
   }
 
   void read_facet() {
-    if (is_keyword(ahead(), "normal")) {
-      text_.next_word();
-      for (int i = 0; i < 3 && !begins_corners(ahead()); ++i) text_.next_word();  // whatever it says
-    }
+    const auto is_normal = [](std::string_view word) { return is_keyword(word, "normal"); };
+    const auto is_part = [](std::string_view word) { return !begins_corners(word); };  // whatever it says
+    int parts = 0;
+    if (pass_if(is_normal))
+      while (parts < 3 && pass_if(is_part)) ++parts;
     const std::size_t before = soup_.ends.size();
     while (true) {
       const std::string_view word = keyword();
