@@ -1,14 +1,17 @@
 """pip install . : has CMake build and install the Python package. Without network: pip install --no-build-isolation .
 
-RECTILIN_CMAKE_ARGS in the environment holds further arguments for CMake; RECTILIN_BUILD_DIR a build folder to use and keep.
+RECTILIN_CMAKE_ARGS in the environment holds further arguments for CMake; RECTILIN_BUILD_DIR a build folder to use and keep:
+one that is there, such as build/release, is used with the settings it has.
 """
 
 import os
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import sys
+import tempfile
 
 from setuptools import Distribution, setup
 from setuptools.command.build_py import build_py
@@ -26,15 +29,17 @@ class BuildWithCMake(build_py):
             "RECTILIN_TESTS": "OFF",
             "RECTILIN_EXAMPLES": "OFF",
             "RECTILIN_PYTHON": "ON",
-            "RECTILIN_PYTHON_DIR": ".",
             "Python_EXECUTABLE": sys.executable,
         }
         arguments = [f"-D{key}={value}" for key, value in options.items()]
         arguments += shlex.split(os.environ.get("RECTILIN_CMAKE_ARGS", ""))
-        subprocess.run(["cmake", "-S", ROOT, "-B", build, "-G", "Ninja", *arguments], check=True)
+        if not (build / "CMakeCache.txt").is_file():
+            subprocess.run(["cmake", "-S", ROOT, "-B", build, "-G", "Ninja", *arguments], check=True)
         subprocess.run(["cmake", "--build", build, "--target", "rectilin_python"], check=True)
-        prefix = pathlib.Path(self.build_lib).absolute()
-        subprocess.run(["cmake", "--install", build, "--component", "python", "--prefix", prefix], check=True)
+        with tempfile.TemporaryDirectory() as prefix:
+            subprocess.run(["cmake", "--install", build, "--component", "python", "--prefix", prefix], check=True)
+            package = next(pathlib.Path(prefix).rglob("rectilin/__init__.py")).parent  # wherever below the prefix
+            shutil.copytree(package, pathlib.Path(self.build_lib, "rectilin"), dirs_exist_ok=True)
 
 
 class Binary(Distribution):

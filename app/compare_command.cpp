@@ -7,7 +7,6 @@
 #include "options.h"
 #include "rectilin/base/printable.h"
 #include "rectilin/laboratory/comparison.h"
-#include "rectilin/laboratory/report.h"
 #include "rectilin/mesh/source.h"
 #include "rectilin/optim/adapters/all_optimizers.h"
 #include "rectilin/pose/summed_silhouette.h"
@@ -67,8 +66,14 @@ int compare(CompareOptions options, const std::string& command_line) {
     laboratory::ComparisonSettings settings;
     settings.stop = stop_on_interrupt();
     settings.command_line = command_line;
-    settings.objective = [](const std::string& name) -> std::shared_ptr<const Objective> {
-      return std::make_shared<pose::SummedSilhouette>(load_mesh(name).mesh, kSilhouetteWidth, name);
+    settings.report = true;
+    LoadedMesh loaded;  // read once: it may come through a pipe
+    settings.load = [&](const std::string& name) {
+      loaded = load_mesh(name);
+      return compared_mesh(loaded);
+    };
+    settings.objective = [&](const std::string& name) -> std::shared_ptr<const Objective> {
+      return std::make_shared<pose::SummedSilhouette>(loaded.mesh, kSilhouetteWidth, name);
     };
     settings.on_progress = [&](const laboratory::ComparisonProgress& now) {
       if (!progress) progress = std::make_unique<Progress>(plan.meshes.size() * plan.entries.size() * plan.runs);
@@ -77,15 +82,15 @@ int compare(CompareOptions options, const std::string& command_line) {
     outcome = laboratory::run_comparison(plan, options.out, registry, settings);
   }
   for (const std::string& error : outcome.mesh_errors) complain(error);
+  for (const std::string& loss : outcome.losses) complain(loss);
   if (!outcome.complete) {
     complain("stopped; nothing finished is lost: the same command goes on from here");
     return 1;
   }
-  const report::PictureTroubles pictures = laboratory::write_report(options.out);
-  for (const std::string& trouble : pictures.lines) complain(trouble);
+  for (const std::string& trouble : outcome.pictures.lines) complain(trouble);
   if (outcome.failed_runs > 0) complain(std::to_string(outcome.failed_runs) + " runs failed; the page lists them");
   std::cout << printable(options.out) << "/index.html\n";
-  return outcome.mesh_errors.empty() && !pictures.failed ? 0 : 1;
+  return outcome.mesh_errors.empty() && !outcome.pictures.failed ? 0 : 1;
 }
 
 }  // namespace

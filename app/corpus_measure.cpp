@@ -82,6 +82,12 @@ int work_into_store(const std::vector<std::string>& sources, const corpus::Task&
     if (!progress) progress.emplace(total);
     progress->show(done, name);
   };
+  options.on_row = [&](const corpus::Row& row, const std::string& left_out) {
+    if (row.error.empty() && left_out.empty()) return;
+    if (progress) progress->clear();
+    if (!row.error.empty()) complain(error_about(row.name, row.error));
+    if (!left_out.empty()) complain(row.source + ": " + left_out);
+  };
   const corpus::CorpusSummary summary =
       corpus::run_corpus(meshes, shard, store, task, options, {stop_on_interrupt(), on_progress});
   if (progress) progress->clear();

@@ -67,6 +67,7 @@ int evaluate(EvaluateOptions options, const std::string& command_line) {
       tuned = evaluation::tune_composite(tuning, result, options.out, settings);
   }
   for (const std::string& error : result.errors) complain(error);
+  for (const std::string& loss : result.losses) complain(loss);
   if (!result.complete || (!options.tune.empty() && !tuned.complete)) {
     complain("stopped; nothing finished is lost: the same command goes on from here");
     return 1;

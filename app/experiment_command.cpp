@@ -68,6 +68,7 @@ class Runner {
     }
     paper::write_experiment_page(options_.out);
     for (const std::string& error : outcome.mesh_errors) complain(error);
+    for (const std::string& loss : outcome.losses) complain(loss);
     for (const std::string& trouble : outcome.pictures.lines) complain(trouble);
     std::cout << experiment.name << ": " << printable(outcome.says) << '\n' << std::flush;
     return outcome.mesh_errors.empty() && !outcome.pictures.failed ? 0 : 1;

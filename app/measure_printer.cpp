@@ -45,7 +45,9 @@ std::vector<std::string> cells(const std::string& name, const Rectilinearity& r)
 
 MeasurePrinter::MeasurePrinter(const std::vector<std::string>& sources, bool json)
     : json_(json), table_(columns(sources)) {
-  if (!json_) std::cout << table_.header() << '\n' << std::flush;
+  if (json_) return;
+  std::cout << table_.header() << '\n';
+  check_output();
 }
 
 void MeasurePrinter::print(const std::string& name, const Outcome<MeasuredMesh>& row) {

@@ -12,6 +12,7 @@
 #include "rectilin/base/batch.h"
 #include "rectilin/base/whole_file.h"
 #include "rectilin/measure/area_vectors.h"
+#include "rectilin/mesh/mesh_report.h"
 #include "rectilin/mesh/source.h"
 #include "rectilin/pose/axes.h"
 #include "rectilin/pose/json.h"
@@ -158,13 +159,16 @@ std::string uniqueness(const Posed& posed) {
 class Printer {
  public:
   Printer(const std::vector<std::string>& sources, bool json) : json_(json), table_(columns(sources)) {
-    if (!json_) std::cout << table_.header() << '\n' << std::flush;
+    if (json_) return;
+    std::cout << table_.header() << '\n';
+    check_output();
   }
 
   void print(const std::string& name, const Posed& posed) const {
     if (json_) {
       Json line = {{"name", name}};
       line.update(pose::to_json(posed.pose, posed.area));
+      line["report"] = to_json(posed.report);
       if (!posed.file.empty()) line["file"] = posed.file;
       std::cout << to_text(line) << '\n';
     } else {

@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "options.h"
 #include "rectilin/base/batch.h"
+#include "rectilin/base/printable.h"
 #include "rectilin/base/whole_file.h"
 #include "rectilin/mesh/source.h"
 #include "rectilin/render/png.h"
@@ -76,13 +77,14 @@ std::string label(const Vector3& d) {
 
 struct Rendered {
   std::size_t faces;
-  render::Ball ball;
+  MeshReport report;
 };
 
 /// Renders all views of one mesh, and a sheet of them, into a folder of their own.
 Rendered render_source(const std::string& source, const std::filesystem::path& folder, const render::ViewSphere& sphere,
                        const RenderCommand& options, const std::stop_token& stop) {
-  const Mesh mesh = load_mesh(source).mesh;
+  const LoadedMesh loaded = load_mesh(source);
+  const Mesh& mesh = loaded.mesh;
   const render::Ball ball = render::ball_around(mesh);
   std::vector<report::SheetCell> cells(sphere.size());
   const auto keep = [&](std::size_t k, std::string png) {
@@ -107,7 +109,7 @@ Rendered render_source(const std::string& source, const std::filesystem::path& f
         cells[k].png);
   }
   write_whole_file(folder / "sheet.svg", report::contact_sheet(cells, sphere.size() < 12 ? 3 : 11).svg);
-  return {mesh.triangles.size(), ball};
+  return {mesh.triangles.size(), loaded.report};
 }
 
 int run(RenderCommand options) {
@@ -141,10 +143,15 @@ int run(RenderCommand options) {
   };
   const auto deliver = [&](std::size_t i, Outcome<Rendered>&& outcome) {
     progress.clear();
-    if (outcome.value)
+    if (outcome.value) {
+      complain_of_loss(sources[i], outcome.value->report);
       std::cout << table.row({sources[i], std::to_string(outcome.value->faces), std::to_string(sphere.size())}) << "  "
-                << (std::filesystem::path(options.out) / names[i]).string() << std::endl;
-    else ++failed, complain(error_about(sources[i], outcome.error));
+                << printable((std::filesystem::path(options.out) / names[i]).string()) << '\n';
+      check_output();
+    } else {
+      ++failed;
+      complain(outcome.error);
+    }
   };
   std::size_t delivered = 0;
   try {

@@ -7,6 +7,7 @@
 #include "options.h"
 #include "rectilin/base/batch.h"
 #include "rectilin/base/whole_file.h"
+#include "rectilin/mesh/mesh_report.h"
 #include "rectilin/mesh/source.h"
 #include "rectilin/optim/run_record.h"
 #include "rectilin/render/png.h"
@@ -30,7 +31,13 @@ struct SilhouetteCommand {
   int threads = 0;
 };
 
-/// Reads a direction x,y,z: three finite numbers that are not all zero.
+/// What one mesh came to.
+struct Areas {
+  std::vector<render::AreaInterval> areas;  ///< for each direction
+  MeshReport report;
+};
+
+/// x,y,z: three finite numbers, not all zero.
 Vector3 parse_direction(const std::string& text) {
   Vector3 direction;
   const char* at = text.data();
@@ -88,34 +95,34 @@ int run(const SilhouetteCommand& options) {
   std::size_t failed = 0;
   Progress progress(sources.size());
   const auto work = [&](std::size_t i) {
-    const Mesh mesh = load_mesh(sources[i]).mesh;
-    std::vector<render::AreaInterval> areas = render::Silhouette(mesh).areas(directions, options.tolerance);
-    if (!options.picture.empty()) write_picture(mesh, directions.front(), options);
+    const LoadedMesh loaded = load_mesh(sources[i]);
+    Areas areas{render::Silhouette(loaded.mesh).areas(directions, options.tolerance), loaded.report};
+    if (!options.picture.empty()) write_picture(loaded.mesh, directions.front(), options);
     return areas;
   };
-  using Areas = std::vector<render::AreaInterval>;
   const auto deliver = [&](std::size_t i, Outcome<Areas>&& outcome) {
     progress.clear();
     if (!outcome.value) {
       ++failed;
-      const std::string error = error_about(sources[i], outcome.error);
-      complain(error);
-      if (options.json) std::cout << to_text({{"name", sources[i]}, {"error", error}}) << '\n';
+      complain(outcome.error);
+      if (options.json) std::cout << to_text({{"name", sources[i]}, {"error", outcome.error}}) << '\n';
       return;
     }
+    complain_of_loss(sources[i], outcome.value->report);
     for (std::size_t k = 0; k < directions.size(); ++k) {
       const Vector3& d = directions[k];
-      const auto& [lower, upper] = (*outcome.value)[k];
+      const auto& [lower, upper] = outcome.value->areas[k];
       if (options.json)
         std::cout << to_text({{"name", sources[i]},
                               {"direction", {d.x(), d.y(), d.z()}},
                               {"lower", lower},
                               {"upper", upper},
-                              {"tolerance", options.tolerance}})
+                              {"tolerance", options.tolerance},
+                              {"report", to_json(outcome.value->report)}})
                   << '\n';
       else std::cout << table.row({sources[i], text_of(d), general(lower, 12), general(upper, 12)}) << '\n';
     }
-    std::cout << std::flush;
+    check_output();
   };
   const auto on_progress = [&](std::size_t done, std::size_t, const std::string& text) { progress.show(done, text); };
   const std::size_t delivered = for_each_in_order<Areas>(sources, work, deliver, {stop, on_progress});

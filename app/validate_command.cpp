@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "options.h"
+#include "rectilin/base/printable.h"
 #include "rectilin/base/whole_file.h"
 #include "rectilin/mesh/source.h"
 #include "rectilin/optim/run_record.h"
@@ -45,7 +46,7 @@ bool has_mesh(const paper::Finding& finding) {
   return finding.mesh || finding.where.starts_with("shape:") || std::filesystem::exists(finding.where);
 }
 
-Json to_json(const paper::ClaimResult& result, const std::string& mesh) {
+Json to_json(const ClaimResult& result, const std::string& mesh, const std::vector<std::string>& losses) {
   Json json = {{"claim", result.claim->id},
                {"source", result.claim->source},
                {"expected", result.claim->should_hold ? "holds" : "fails"},
@@ -56,7 +57,8 @@ Json to_json(const paper::ClaimResult& result, const std::string& mesh) {
                {"failed", result.failed},
                {"where", result.decisive.where},
                {"note", result.decisive.note},
-               {"counterexample", nullptr}};
+               {"counterexample", nullptr},
+               {"left_out", losses}};
   if (result.tested > 0) json["margin"] = result.decisive.margin;
   if (result.verdict == paper::ClaimVerdict::kFails) {
     json["counterexample"] = {{"mesh", mesh.empty() ? Json(nullptr) : Json(mesh)},
@@ -80,8 +82,8 @@ void print_table(const paper::Validation& validation) {
                             std::string(to_string(result.verdict)), tested ? general(result.decisive.margin, 4) : "-",
                             general(result.claim->tolerance, 2), std::to_string(result.tested),
                             std::to_string(result.failed)})
-              << "  " << result.decisive.where;
-    if (!result.decisive.note.empty()) std::cout << " (" << result.decisive.note << ")";
+              << "  " << printable(result.decisive.where);
+    if (!result.decisive.note.empty()) std::cout << " (" << printable(result.decisive.note) << ")";
     std::cout << '\n';
   }
 }
@@ -123,9 +125,10 @@ int run_validation(ValidateOptions options) {
     } catch (const std::exception& e) {
       errors.push_back(e.what());  // go on: the verdicts matter more than this file
     }
-    list.push_back(to_json(result, mesh));
+    list.push_back(to_json(result, mesh, validation.losses));
   }
   for (const std::string& error : errors) complain(error);
+  for (const std::string& loss : validation.losses) complain(loss);
   if (options.json) std::cout << to_text(list, 2) << '\n';
   else print_table(validation);
 

@@ -12,8 +12,10 @@ std::vector<Json> recover_journal(const std::filesystem::path& file) {
   std::vector<Json> values;
   std::uintmax_t whole = 0;  // size of all complete lines, in bytes
   {
+    errno = 0;
     std::ifstream in(file, std::ios::binary);
-    for (std::string line; std::getline(in, line) && !in.eof();) {  // eof(): the line has no newline, so it was cut off
+    if (!in && errno != ENOENT) throw std::runtime_error(file.string() + ": " + system_reason(errno));
+    for (std::string line; std::getline(in, line) && !in.eof();) {  // at the end of the file: no newline, cut off
       values.push_back(Json::parse(line, nullptr, false));
       if (values.back().is_discarded())
         throw std::runtime_error(file.string() + ":line " + std::to_string(values.size()) + ": not JSON");

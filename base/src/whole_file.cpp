@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 
@@ -53,40 +54,78 @@ bool is_of_system(const fs::path& file) {
   return path.starts_with("/dev/") || path.starts_with("/proc/");
 }
 
-void write_in_place(const fs::path& file, std::string_view content) {
+int open_in_place(const fs::path& file) {
   const int flags = is_of_system(file) ? O_APPEND : O_TRUNC;
-  const Descriptor out(open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | flags, 0666));
-  if (out.get() < 0) throw_errno();
-  write_all(out.get(), content);
+  return open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | flags, 0666);
 }
 
-void write_beside(const fs::path& file, const std::optional<Replaced>& replaced, std::string_view content, bool named) {
-  const fs::path& target = replaced ? replaced->path : file;
-  UnfinishedFile begun(target.has_parent_path() ? target.parent_path() : fs::path("."), named);
-  write_all(begun.descriptor(), content);
-  if (replaced) {
-    // Only root may give a file to another owner. Where that fails the user owns the new file; its permissions, which
-    // matter, are kept all the same.
-    if (fchown(begun.descriptor(), replaced->status.st_uid, replaced->status.st_gid) != 0) errno = 0;
-    if (fchmod(begun.descriptor(), replaced->status.st_mode & 0777) != 0) throw_errno();
+/// How a file is to be written: beside what is there, if anything is, or in place.
+struct Way {
+  bool in_place = false;
+  std::optional<Replaced> replaced;
+};
+
+Way way_to(const fs::path& file) {
+  struct stat status {};
+  if (stat(file.c_str(), &status) == 0) {
+    if (!S_ISREG(status.st_mode) || is_of_system(file)) return {true, {}};
+    if (access(file.c_str(), W_OK) != 0) throw_errno();
+    return {false, Replaced{fs::canonical(file), status}};
   }
-  if (begun.take_name()) return begun.become(target);
-  if (!named) write_beside(file, replaced, content, true);
+  if (errno != ENOENT) throw_errno();
+  return {lstat(file.c_str(), &status) == 0, {}};  // true: a link to nowhere
+}
+
+/// The file that is written beside another, or beside its own future name.
+class Beside {
+ public:
+  Beside(const fs::path& file, const std::optional<Replaced>& replaced, bool named)
+      : target_(replaced ? replaced->path : file),
+        replaced_(replaced),
+        begun_(target_.has_parent_path() ? target_.parent_path() : fs::path("."), named) {}
+
+  void write(std::string_view content) { write_all(begun_.descriptor(), content); }
+
+  /// False if the system cannot name what has no name.
+  bool finish() {
+    if (replaced_) {
+      // A user who may not give the file away keeps it; the permissions are what counts.
+      if (fchown(begun_.descriptor(), replaced_->status.st_uid, replaced_->status.st_gid) != 0) errno = 0;
+      if (fchmod(begun_.descriptor(), replaced_->status.st_mode & 0777) != 0) throw_errno();
+    }
+    if (!begun_.take_name()) return false;
+    begun_.become(target_);
+    return true;
+  }
+
+ private:
+  fs::path target_;
+  std::optional<Replaced> replaced_;
+  UnfinishedFile begun_;
+};
+
+bool write_beside(const fs::path& file, const std::optional<Replaced>& replaced, std::string_view content, bool named) {
+  Beside beside(file, replaced, named);
+  beside.write(content);
+  return beside.finish();
 }
 
 void write(const fs::path& file, std::string_view content) {
-  struct stat status {};
-  std::optional<Replaced> replaced;
-  if (stat(file.c_str(), &status) == 0) {
-    if (!S_ISREG(status.st_mode) || is_of_system(file)) return write_in_place(file, content);
-    replaced = Replaced{fs::canonical(file), status};
-    if (access(file.c_str(), W_OK) != 0) throw_errno();
-  } else if (errno != ENOENT) {
-    throw_errno();
-  } else if (lstat(file.c_str(), &status) == 0) {
-    return write_in_place(file, content);  // a link that leads nowhere
+  const Way way = way_to(file);
+  if (way.in_place) {
+    const Descriptor out(open_in_place(file));
+    if (out.get() < 0) throw_errno();
+    return write_all(out.get(), content);
   }
-  write_beside(file, replaced, content, false);
+  if (!write_beside(file, way.replaced, content, false)) write_beside(file, way.replaced, content, true);
+}
+
+/// Runs a step of writing a file; its errors name the file and the system's reason.
+template <class Step>
+void writing(const fs::path& file, const Step& step) try {
+  step();
+} catch (const std::system_error& e) {
+  throw std::runtime_error(file.string() + ": cannot be written: " + system_reason(e.code()));
 }
 
 std::string read(const fs::path& file) {
@@ -115,16 +154,45 @@ std::string read(const fs::path& file) {
 
 }  // namespace
 
+std::error_code why_unreadable(const fs::path& file) {
+  const auto reason = [](int number) { return std::error_code(number, std::generic_category()); };
+  const Descriptor in(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (in.get() < 0) return reason(errno);
+  struct stat status {};
+  if (fstat(in.get(), &status) != 0) return reason(errno);
+  return S_ISDIR(status.st_mode) ? reason(EISDIR) : std::error_code();
+}
+
 std::string read_whole_file(const fs::path& file) try { return read(file); } catch (const std::system_error& e) {
   throw std::runtime_error(file.string() + ": " + system_reason(e.code()));
 } catch (const std::runtime_error& e) {
   throw std::runtime_error(file.string() + ": " + e.what());
 }
 
-void write_whole_file(const fs::path& file, std::string_view content) try {
-  write(file, content);
-} catch (const std::system_error& e) {
-  throw std::runtime_error(file.string() + ": cannot be written: " + system_reason(e.code()));
+void write_whole_file(const fs::path& file, std::string_view content) {
+  writing(file, [&] { rectilin::write(file, content); });
 }
+
+GrowingFile::GrowingFile(const fs::path& file) : file_(file) {
+  writing(file_, [&] {
+    const Way way = way_to(file_);
+    if (way.in_place) {
+      const auto out = std::make_shared<Descriptor>(open_in_place(file_));
+      if (out->get() < 0) throw_errno();
+      write_ = [out](std::string_view piece) { write_all(out->get(), piece); };
+      finish_ = [] {};
+    } else {
+      const auto beside = std::make_shared<Beside>(file_, way.replaced, true);
+      write_ = [beside](std::string_view piece) { beside->write(piece); };
+      finish_ = [beside] { beside->finish(); };
+    }
+  });
+}
+
+void GrowingFile::write(std::string_view piece) {
+  writing(file_, [&] { write_(piece); });
+}
+
+void GrowingFile::finish() { writing(file_, finish_); }
 
 }  // namespace rectilin

@@ -5,10 +5,11 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <limits>
 
 #include "npy.h"
+#include "rectilin/base/printable.h"
+#include "rectilin/base/whole_file.h"
 #include "store_access.h"
 
 namespace rectilin::corpus {
@@ -17,42 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 static_assert(std::endian::native == std::endian::little, "the numbers in the files are little-endian");
 
-/// A file that is written piece by piece and gets its name only when it is complete.
-class GrowingFile {
- public:
-  explicit GrowingFile(const fs::path& file) : file_(file), begun_(file.string() + ".new") {
-    stream_.open(begun_, std::ios::binary);
-    if (!stream_) fail();
-  }
-  ~GrowingFile() {
-    std::error_code ignored;
-    if (!done_) fs::remove(begun_, ignored);
-  }
-  GrowingFile(const GrowingFile&) = delete;
-  GrowingFile& operator=(const GrowingFile&) = delete;
-
-  /// Writes the text and empties it.
-  void write(std::string& text) {
-    stream_.write(text.data(), static_cast<std::streamsize>(text.size()));
-    text.clear();
-    if (!stream_) fail();
-  }
-  void finish() {
-    stream_.close();
-    std::error_code error;
-    if (stream_) fs::rename(begun_, file_, error);
-    if (!stream_ || error) fail();
-    done_ = true;
-  }
-
- private:
-  [[noreturn]] void fail() const { throw std::runtime_error(file_.string() + ": cannot be written"); }
-  fs::path file_, begun_;
-  std::ofstream stream_;
-  bool done_ = false;
-};
-
-/// The columns of the query that all formats use.
+/// Columns of the statement that all formats read.
 enum Column {
   kName,
   kSource,
@@ -82,7 +48,9 @@ void append_number(std::string& out, double x) {
   out.append(digits.data(), end);
 }
 
-void append_cell(std::string& out, std::string_view text) {
+/// Text as others can read it: see printable(). The lines of JSON keep names as they are.
+void append_cell(std::string& out, std::string_view given) {
+  const std::string text = printable(given);
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
     out += text;
     return;
@@ -201,7 +169,9 @@ void export_store(Store& store, const fs::path& file) {
     else if (format == ".jsonl") append_json(text, row);
     else append_record(text, row, widths);
     constexpr std::size_t kPiece = 1 << 20;
-    if (text.size() > kPiece) out.write(text);
+    if (text.size() <= kPiece) continue;
+    out.write(text);
+    text.clear();
   }
   out.write(text);
   out.finish();

@@ -46,7 +46,8 @@ class Run {
     bool busy = false, heard = false;  ///< heard: the worker has answered at least once
     bool again = false;                ///< the mesh is being tried a second time
     std::size_t mesh = 0;
-    Row row;  ///< row of the mesh in work, filled in so far
+    Row row;               ///< of the mesh in work, as far as it is known
+    std::string left_out;  ///< of it by its reader
     Clock::time_point started;
   };
 
@@ -59,6 +60,7 @@ class Run {
     worker.mesh = index;
     const NamedSource& mesh = *meshes_[worker.mesh];
     worker.row = Row{};
+    worker.left_out.clear();
     worker.row.name = mesh.name;
     worker.row.source = mesh.source;
     worker.row.group = mesh.group;
@@ -134,6 +136,7 @@ class Run {
   void take_digest(Worker& worker, const Json& json) {
     worker.row.digest = json["digest"];
     worker.row.report = to_text(json["report"]);
+    worker.left_out = json["left_out"];
     Channel& channel = worker.process->channel();
     if (const auto same = store_.find_digest(worker.row.digest)) {
       channel.send(Kind::kKnown, "");
@@ -141,8 +144,8 @@ class Run {
       ++summary_.copied;
       finish(worker, RowStatus::kDone, {});
     } else if (!in_work_.insert(worker.row.digest).second) {
-      channel.send(Kind::kKnown, "");  // another worker is doing the same mesh
-      waiting_[worker.row.digest].push_back(std::move(worker.row));
+      channel.send(Kind::kKnown, "");  // another worker has it
+      waiting_[worker.row.digest].emplace_back(std::move(worker.row), std::move(worker.left_out));
       worker.busy = false;
     } else {
       channel.send(Kind::kMeasure, "");
@@ -157,24 +160,25 @@ class Run {
     row.seconds = elapsed(worker);
     row.finished = unix_time();
     worker.busy = false;
-    put(row);
+    put(row, worker.left_out);
     if (row.digest.empty()) return;
     in_work_.erase(row.digest);
     const auto same = waiting_.find(row.digest);
     if (same == waiting_.end()) return;
-    for (Row& copy : same->second) {
+    for (auto& [copy, left_out] : same->second) {
       copy.status = status;
       copy.error = error;
       copy.result = row.result;
       copy.finished = row.finished;
       summary_.copied += status == RowStatus::kDone;
-      put(copy);
+      put(copy, left_out);
     }
     waiting_.erase(same);
   }
 
-  void put(const Row& row) {
+  void put(const Row& row, const std::string& left_out) {
     store_.put(row);
+    if (options_.on_row) options_.on_row(row, left_out);
     ++finished_;
     (row.status == RowStatus::kDone     ? summary_.done
      : row.status == RowStatus::kFailed ? summary_.failed
@@ -215,8 +219,9 @@ class Run {
   const CorpusOptions& options_;
   const LoopControl& control_;
   std::vector<Worker> workers_;
-  std::set<std::string> in_work_;                    ///< digests of the meshes in work
-  std::map<std::string, std::vector<Row>> waiting_;  ///< by digest: rows of meshes equal to one that is in work
+  std::set<std::string> in_work_;  ///< digests
+  /// Rows of meshes that are the same as one in work, with what was left out.
+  std::map<std::string, std::vector<std::pair<Row, std::string>>> waiting_;
   std::size_t next_ = 0, finished_ = 0;
   CorpusSummary summary_;
 };

@@ -6,7 +6,9 @@
 #include <chrono>
 #include <map>
 
+#include "rectilin/base/system_reason.h"
 #include "rectilin/base/version.h"
+#include "rectilin/base/whole_file.h"
 #include "store_access.h"
 #include "rectilin/corpus/writer_lock.h"
 
@@ -160,7 +162,8 @@ Store::Store(const fs::path& file, const Task& task)
 }
 
 Store::Store(const fs::path& file) {
-  if (!fs::exists(file)) throw std::runtime_error(file.string() + ": no such file");
+  if (std::error_code error = why_unreadable(file))
+    throw std::runtime_error(file.string() + ": " + system_reason(error));
   implementation_ = std::make_unique<Implementation>(file, Database::Mode::kRead);
   check_is_store(implementation_->database);
 }

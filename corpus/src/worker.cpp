@@ -43,7 +43,8 @@ bool do_mesh(Channel& channel, const std::string& source, const Work& work) {
   memory_ran_out = false;
   try {
     const LoadedMesh loaded = load_mesh(source);
-    const Json read = {{"digest", mesh_digest(loaded.mesh)}, {"report", to_json(loaded.report)}};
+    const Json read = {
+        {"digest", mesh_digest(loaded.mesh)}, {"report", to_json(loaded.report)}, {"left_out", summary(loaded.report)}};
     if (!channel.send(Kind::kRead, to_text(read))) return false;
     const auto answer = channel.receive();
     if (!answer) return false;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
+
+#include "rectilin/base/whole_file.h"
 
 namespace rectilin {
 namespace {
@@ -115,10 +115,18 @@ bool is_manifest_name(std::string_view file) {
 }
 
 std::vector<NamedSource> read_manifest(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw MeshError(file + ": cannot be opened");
-  const std::string content(std::istreambuf_iterator<char>(in), {});
+  std::string content;
+  try {
+    content = read_whole_file(file);
+  } catch (const std::runtime_error& e) {
+    throw MeshError(e.what());
+  }
   std::string_view text = content;
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    throw MeshError(file + ": a list in UTF-16 is not supported, only UTF-8");
+  if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
+    fail(file, 1 + static_cast<std::size_t>(std::ranges::count(text.substr(0, nul), '\n')),
+         "a NUL character in a list");
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   auto entries = fs::path(file).extension() == ".csv" ? from_csv(text, file) : from_text(text, file);
   const fs::path folder = fs::path(file).parent_path();

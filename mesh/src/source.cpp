@@ -10,6 +10,7 @@
 #include "io/soup.h"
 #include "io/text.h"
 #include "manifest.h"
+#include "rectilin/base/printable.h"
 #include "rectilin/base/system_reason.h"
 #include "rectilin/mesh/shapes.h"
 
@@ -63,7 +64,7 @@ class Walk {
       else enter(path);
     } else if ((format_of_extension(path) || is_archive_name(path.native())) &&
                !path.filename().string().starts_with("._")) {
-      // Pipes and devices are not meshes. A file whose status cannot be read is kept, so that the error is reported.
+      // Pipes and devices are not meshes; what has no status is reported.
       if (fs::is_regular_file(status) || !fs::exists(status)) found_.push_back(path.string());
     }
   }
@@ -135,8 +136,18 @@ bool is_mesh_text(const std::string& file) {
   return looks_like_off(begin) || looks_like_ply(begin) || looks_like_stl(begin);
 }
 
-/// Appends what an entry expands to. A folder's or archive's entry passes its name on: what follows its source in the
-/// sources of the parts follows its name in theirs.
+/// Not a list whose first file is called "solid state.off": the second word counts, too.
+bool is_surely_mesh(std::string_view text) {
+  const std::string_view begin = text.substr(0, 4096);
+  LineReader words(begin, {});
+  words.next_word();
+  std::int64_t count = 0;
+  if (looks_like_off(text)) return parse_integer(words.next_word(), count);
+  return (looks_like_ply(text) && words.next_word() == "format") ||
+         (looks_like_stl(text) && begin.find("facet") != std::string_view::npos);
+}
+
+/// What stands for an entry: the text behind the entry's source is put behind its name, too.
 void expand(const NamedSource& entry, bool in_manifest, std::vector<NamedSource>& all) {
   const std::size_t before = all.size();
   const auto expand_inner = [&](const std::string& source) {
@@ -166,7 +177,7 @@ void expand(const NamedSource& entry, bool in_manifest, std::vector<NamedSource>
 bool is_shape_source(std::string_view source) { return source.starts_with(kShapePrefix); }
 
 LoadedMesh load_mesh(const std::string& source) {
-  if (source.find('\0') != std::string::npos) throw MeshError(source + ": a name with a NUL character");
+  if (source.find('\0') != std::string::npos) throw MeshError(printable(source) + ": a name with a NUL character");
   if (is_folder(source)) complain_of_folder(source);
   if (is_shape_source(source)) {
     LoadedMesh loaded{make_shape(Spec::parse(std::string_view(source).substr(kShapePrefix.size()))), {}};
@@ -192,6 +203,7 @@ std::vector<std::string> expand_folders(const std::vector<std::string>& sources)
 
 std::vector<std::string> sources_in_list(std::string_view list, const std::string& name) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (is_surely_mesh(list)) throw MeshError(name + ": a mesh, not a list of files; /dev/stdin is its name");
   if (list.starts_with("\xFF\xFE") || list.starts_with("\xFE\xFF"))
     throw MeshError(name + ": a list in UTF-16 is not supported, only UTF-8");
   if (list.starts_with(kByteOrderMark)) list.remove_prefix(kByteOrderMark.size());

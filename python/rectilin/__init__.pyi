@@ -120,6 +120,7 @@ class Comparison:
     page: str
     failed_runs: int
     mesh_errors: List[str]
+    losses: List[str]
     troubles: List[str]
     summary: Dict[str, Any]
     runs: List[Dict[str, Any]]

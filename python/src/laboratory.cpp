@@ -194,7 +194,8 @@ Comparison compare(py::handle problems, py::handle optimizers, py::object runs, 
   laboratory::ComparisonSettings settings;
   settings.stop = interrupt.token();
   settings.command_line = "rectilin.compare() in Python";
-  settings.on_progress = [&](const laboratory::ComparisonProgress& state) {
+  settings.report = true;
+  settings.on_progress = [&](const ComparisonProgress& state) {
     const std::lock_guard lock(mutex);
     now = state;
   };
@@ -210,9 +211,8 @@ Comparison compare(py::handle problems, py::handle optimizers, py::object runs, 
     std::size_t told = 0;
     beside(
         [&] {
-          result.outcome = laboratory::run_comparison(plan, result.folder, competitors.registry(), settings);
-          if (!result.outcome.complete) return;
-          result.troubles = laboratory::write_report(result.folder).lines;
+          result.outcome = run_comparison(plan, result.folder, competitors.registry(), settings);
+          result.troubles = result.outcome.pictures.lines;
         },
         [&] {
           interrupt.poll();
@@ -279,6 +279,9 @@ void bind_laboratory(py::module_& m) {
       .def_property_readonly(
           "mesh_errors", [](const Comparison& c) { return c.outcome.mesh_errors; },
           "One line for each mesh that could not be measured.")
+      .def_property_readonly(
+          "losses", [](const Comparison& c) { return c.outcome.losses; },
+          "One line for each mesh that is not all that its file holds.")
       .def_readonly("troubles", &Comparison::troubles, "Why pictures are missing, if they are: they take gnuplot.")
       .def_property_readonly(
           "summary", [](const Comparison& c) { return read_json(c.folder, "summary.json"); },

@@ -2,6 +2,7 @@
 
 #include <pybind11/stl.h>
 
+#include "rectilin/base/printable.h"
 #include "rectilin/mesh/mesh_report.h"
 #include "rectilin/mesh/shapes.h"
 #include "rectilin/mesh/source.h"
@@ -39,9 +40,17 @@ py::array_t<Number> inside(const Number* data, std::size_t rows, py::handle owne
   return array;
 }
 
+/// Warns if the mesh is not all that its file holds, in the command's words.
 std::shared_ptr<OwnMesh> load(const std::string& source) {
-  const py::gil_scoped_release release;
-  return std::make_shared<OwnMesh>(OwnMesh{load_mesh(source), source});
+  auto mesh = [&] {
+    const py::gil_scoped_release release;
+    return std::make_shared<OwnMesh>(OwnMesh{load_mesh(source), source});
+  }();
+  const std::string loss = summary(mesh->loaded.report);
+  if (loss.empty()) return mesh;
+  const std::string line = printable(source + ": " + loss);
+  if (PyErr_WarnEx(PyExc_UserWarning, line.c_str(), 1) != 0) throw py::error_already_set();
+  return mesh;
 }
 
 std::shared_ptr<OwnMesh> copy_of(py::handle vertices, py::handle faces, std::string name) {
@@ -157,7 +166,8 @@ a copy and without a check.
       "load", [](py::handle source) { return load(source_of(source)); }, py::arg("source"), R"(Loads a mesh.
 
 source: a file (.off .obj .ply .stl), or 'shape:NAME?key=value'. Returns a Mesh. Raises MeshError for a file that cannot
-be read, ParameterError for a shape that cannot be made.
+be read, ParameterError for a shape that cannot be made; warns (UserWarning) of what was left out of the mesh, as all
+functions do that are given the name of a file. Mesh.report has the counts.
 
     >>> rectilin.load('shape:pyramid').faces.shape
     (6, 3))");

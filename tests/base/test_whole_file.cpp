@@ -11,6 +11,7 @@
 #include "support/scratch_folder.h"
 
 using namespace rectilin;
+using namespace std::string_view_literals;
 namespace fs = std::filesystem;
 
 namespace {
@@ -43,6 +44,33 @@ TEST_CASE("a file is written whole, beside whatever else there is", "[whole_file
   const std::string big(3'000'000, 'b');
   write_whole_file(file, big);
   CHECK(read_whole_file(file) == big);
+}
+
+TEST_CASE("a file that grows takes its name when it is whole", "[whole_file]") {
+  const test::ScratchFolder scratch;
+  const fs::path file = scratch.path() / "x";
+  write_whole_file(file, "before");
+  REQUIRE(chmod(file.c_str(), 0640) == 0);
+  {
+    GrowingFile never(file);
+    never.write("half");
+  }
+  CHECK(read_whole_file(file) == "before");
+  CHECK(count_files(scratch.path()) == 1);
+  {
+    GrowingFile grown(file);
+    for (int i = 0; i < 1000; ++i) grown.write("ab\0"sv);
+    CHECK(read_whole_file(file) == "before");
+    grown.finish();
+  }
+  CHECK(read_whole_file(file).size() == 3000);
+  CHECK(mode_of(file) == 0640);
+  CHECK(count_files(scratch.path()) == 1);
+  CHECK_THROWS_WITH(GrowingFile(file / "y"), Catch::Contains("y: cannot be written: not a directory"));
+  CHECK_THROWS_WITH(GrowingFile(scratch.path()), Catch::Contains("cannot be written: is a directory"));
+  CHECK(why_unreadable(file) == std::error_code());
+  CHECK(why_unreadable(scratch.path()) == std::errc::is_a_directory);
+  CHECK(why_unreadable(file / "y") == std::errc::not_a_directory);
 }
 
 TEST_CASE("what is replaced hands on its permissions; a link stays", "[whole_file]") {

@@ -70,7 +70,7 @@ into=broken expect 1 'm2\.off' run
 [ "$(paste -sd, broken/matrices/d2.models)" = 0,1,3,4,5,6,7,8 ] || fail "the mesh that fails is in no matrix"
 printf 'PSB 1\n1 2\na 0 1\n0\n' >counts.cla
 expect 1 'counts.cla:line' "$rectilin" evaluate meshes -c counts.cla -d d2 --out x
-expect 1 'nowhere.cla: cannot be read' "$rectilin" evaluate meshes -c nowhere.cla -d d2 --out x
+expect 1 'nowhere.cla: no such file or directory' "$rectilin" evaluate meshes -c nowhere.cla -d d2 --out x
 expect 2 "no descriptor 'gsmt'" "$rectilin" evaluate meshes -c all.cla -d gsmt --out x
 expect 2 'twice' "$rectilin" evaluate meshes -c all.cla -d d2,d2 --out x
 expect 2 'descriptors need a folder' "$rectilin" evaluate -c all.cla -d d2 --out x

@@ -35,6 +35,21 @@ printf 'version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 1\n' >lf
 gzip -c p.stl >zipped.stl;                             refused zipped.stl 'gzip'
 printf 'ISO-10303-21;\nHEADER;%200s' '' >step.stl;     refused step.stl 'a STEP file'
 gzip -c p.off >zipped.off;                             refused zipped.off 'gzip'
+tar cf tar.stl p.stl;                                  refused tar.stl 'a TAR archive'
+iconv -t UTF-16LE text.stl >wide.stl;                  refused wide.stl 'UTF-16'
+iconv -t UTF-16LE p.obj >wide.obj;                     refused wide.obj 'UTF-16'
+cat p.stl text.stl >mixed.stl;                         refused mixed.stl 'bytes follow them'
+head -c 100000 /dev/zero >zero.stl;                    refused zero.stl 'claims 0 triangles'
+head -c 5000 /dev/urandom | base64 >text64.stl;        refused text64.stl "neither text that begins with 'solid' nor"
+{ printf 'solid '; tail -c +7 p.stl | head -c 250; } >cut.stl; refused cut.stl 'the file holds 3'
+sed '3s/./\x00/' text.stl >nul.stl;                     refused nul.stl 'line 3: a NUL character'
+sed '1s/$/ a\x00b/' text.stl >nul1.stl;                 refused nul1.stl 'line 1: a NUL character'
+sed '5s/$/ word/' p.off >word.off;                     refused word.off 'line 5: expected a number or the end'
+"$rectilin" convert 'shape:sphere?subdivisions=2' s.ply && sed 's/$/\r/' s.ply >crlf.ply
+refused crlf.ply 'vertex index|copied as text|claims'
+for line in 'v,0,1,0' 'v;0;1;0' 'vO 1 0' 'vv0 1 0' '0,1,0' 'f,1,2,3' 'fl 2 3' '"v" 0 1 0' 'v: 0 1 0' '//v 0 1 0'; do
+  printf 'v 0 0 0\nv 1 0 0\n%s\nv 1 1 0\nv 0 1 0\nf 1 2 3\n' "$line" >odd.obj; refused odd.obj 'line 3: '
+done
 printf 'v 0 0 0\nv 1 0 0\n0 1 0\nv 1 1 0\nf 1 2 3\n' >missing.obj; refused missing.obj 'line 3: '
 printf 'v 0 0 0\nv 1 0 0\nV 0 1 0\nv 1 1 0\nf 1 2 3\n' >capital.obj; refused capital.obj 'line 3: '
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\ncall more.obj\nf 1 2 3\n' >call.obj; refused call.obj 'line 4: '
@@ -52,12 +67,48 @@ reported() {
 cat p.off p.off >two.off;                              reported two.off 'bytes of data behind'
 { cat p.ply; printf 'more'; } >more.ply;               reported more.ply '4 bytes of data behind'
 { cat p.obj; printf 'surf 0 1 0 1 1 2 x\nzap\n'; } >surf.obj; reported surf.obj "2 statements that may be surface \('surf' in line 12\)"
+{ cat p.obj; printf 'surf 0.0 1.0 0.0 1.0 1 2 3 4\nbzp 1 2 3 4\n'; } >free.obj
+reported free.obj "2 statements that may be surface \('surf' in line 12\)"
+{ cat p.off; printf '\0more'; } >nul.off;              reported nul.off '5 bytes of data behind'
+cat p.ply p.ply >two.ply;                              reported two.ply 'bytes of data behind'
+sed 's/element face 6/element face 5/' p.ply >count.ply; reported count.ply '13 bytes of data behind' "$(sed '2s/6/5/' p.off >five.off; area five.off)"
+sed 's/^endloop/endloop outer loop vertex 0 0 5 vertex 1 0 5 vertex 0 1 5 endloop/;t' text.stl >loops.stl
+expect 0 '^loops.stl +12 ' "${measure[@]}" loops.stl
 { cat p.obj; printf 'f 1 2\n'; } >edge.obj;            reported edge.obj '1 face of fewer than three corners'
 { cat p.obj; printf 'v nan 0 0\nf 1 2 6\n'; } >nan.obj; reported nan.obj '1 face with a coordinate that is not'
 sed 's/^endloop/vertex 9 9 9\nendloop/;t' text.stl >odd.stl
 expect 0 'odd.stl: .*facets of other than three corners' "${measure[@]}" odd.stl
 expect 0 '"left_over_bytes":7,"left_over_place":"line 15"' "${measure[@]}" --json more.off
 expect 0 "\"unknown_statements\":2,\"first_unknown\":\"'surf' in line 12\"" "${measure[@]}" --json surf.obj
+
+# Every command says it, on standard error and in what it writes.
+cp more.off left.off
+says_so() { expect "$1" 'left.off: left out: 7 bytes of data behind the last face \(line 15\)' "${@:2}"; [ "$(grep -c 'left out' err)" -eq 1 ] || fail "once: ${*:2}"; }
+noted() { grep -q 'left out: 7 bytes\|"left_over_bytes": *7' "$@" || fail "what was left out is in $*"; }
+says_so 0 "$rectilin" pose --json left.off; noted out
+says_so 0 "$rectilin" silhouette --json -d 0,0,1 left.off; noted out
+says_so 0 "$rectilin" render -v 6 -s 8 -O rendered left.off
+says_so 0 "$rectilin" validate --claims eq-12 left.off
+says_so 0 "$rectilin" validate --claims eq-12 --json left.off; noted out
+for again in 1 2; do
+  says_so 0 "$rectilin" compare -o random -k 1 -b 10 -O compared left.off shape:box
+  noted compared/meshes.csv; noted compared/index.html; noted compared/summary.json
+done
+says_so 0 "$rectilin" suite -O suite left.off; noted suite/suite.json; noted suite/left.json
+says_so 0 "$rectilin" measure -o left.db left.off
+"$rectilin" export left.db -o left.jsonl >out 2>err; noted left.jsonl
+for experiment in fig11 gap 'fig7?largest=1000' 'shortfall?poses=1' fig12 fig20 'pose-accuracy?turns=1'; do
+  "$rectilin" experiment "$experiment" --quick -O figures left.off >out 2>err
+  grep -q 'left.off: left out' err || fail "experiment $experiment"
+  noted figures/"${experiment%%\?*}".json; noted figures/index.html; rm -rf figures
+done
+mkdir collection; cp left.off collection/m1.off; cp p.off collection/m2.off
+printf 'PSB 1\n1 2\n\nall 0 2\n1\n2\n' >all.cla
+for again in 1 2; do  # the second time from the signatures that are kept
+  expect 0 'm1.off: left out: 7 bytes' "$rectilin" evaluate collection -c all.cla -d d2 -O evaluated
+  noted evaluated/summary.json; noted evaluated/index.html
+done
+expect 0 'left.off: left out: 7 bytes' "$rectilin" verify <("$rectilin" measure --proof /dev/stdout --json p.off | tail -n 1) left.off
 
 # read FILE: without a word
 read_as_is() {
@@ -82,6 +133,11 @@ for file in p.off p.ply p.stl text.stl p.obj; do
 done
 mkfifo pipe.off; cat p.off >pipe.off & expect 0 'pipe.off' "${measure[@]}" pipe.off; wait
 expect 1 'is a device' "${measure[@]}" /dev/zero
+expect 0 'fig11: ' "$rectilin" experiment fig11 --quick -O piped <(cat p.off) <(cat p.ply)
+expect 0 'piped/index.html' "$rectilin" compare -o random -k 1 -b 10 --objective silhouette -O piped <(cat p.off)
+for file in p.off p.ply text.stl; do
+  "${measure[@]}" - <$file >out 2>err; [ $? -eq 1 ] && grep -q 'standard input: a mesh, not a list' err || fail "$file instead of a list"
+done
 
 # --- Conversion to binary STL -----------------------------------------------------------------------------------------
 
@@ -144,6 +200,12 @@ elif [ "$(id -u)" -ne 0 ]; then
   chmod 755 tree/locked
 fi
 rm -rf tree/locked
+# Lists in files.
+printf 'p.off\0p.stl\0' >nul.txt;               expect 1 'nul.txt:line 1: a NUL character' "${measure[@]}" nul.txt
+printf 'source\np.off\np\0.off\n' >nul.csv;    expect 1 'nul.csv:line 3: a NUL character' "${measure[@]}" nul.csv
+printf 'p.off\n' | iconv -t UTF-16 >wide.txt;   expect 1 'wide.txt: a list in UTF-16' "${measure[@]}" wide.txt
+printf '\357\273\277source,name\r\np.off,a\r\n' >marked.csv; expect 0 '^p.off' "${measure[@]}" marked.csv
+mkdir list.csv;                                 expect 1 'list.csv: no mesh file in this folder' "${measure[@]}" list.csv
 
 # --- Messages -----------------------------------------------------------------------------------------------------------
 
@@ -155,6 +217,16 @@ expect 1 'p.off/x.off: not a directory' "${measure[@]}" p.off/x.off
 expect 1 ': file name too long' "${measure[@]}" "$long-more.off"
 expect 1 'p.off/x.off: cannot be written: not a directory' "$rectilin" convert p.off p.off/x.off
 expect 1 'none.json: no such file or directory' "$rectilin" verify none.json p.off
+expect 1 'p.off/x.zip: not a directory' "${measure[@]}" p.off/x.zip
+expect 1 'none.7z: no such file or directory' "${measure[@]}" none.7z
+expect 1 'none.zip: no such file or directory' "${measure[@]}" none.zip::x.off
+expect 1 'p.off/x.ply: not a directory' "$rectilin" measure --normals p.off/x.ply
+expect 1 'self: too many levels' "$rectilin" evaluate tree -c self -d d2
+expect 1 'p.off/x.cla: not a directory' "$rectilin" evaluate tree -c p.off/x.cla -d d2
+expect 1 'none.db: no such file or directory' "$rectilin" corpus status none.db
+expect 1 'p.off/x.db: cannot be written: not a directory|p.off/x.db: not a directory' "$rectilin" measure p.off -o p.off/x.db
+expect 1 'standard output: cannot be written: no space left' sh -c '"$1" measure p.off >/dev/full' sh "$rectilin"
+expect 1 'standard output: cannot be written: no space left' sh -c '"$1" shapes >/dev/full' sh "$rectilin"
 expect 1 'a\\nb\\x1B\[31m.off: no such file' "${measure[@]}" "$(printf 'a\nb\033[31m.off')"
 one_line 'a name of two lines'
 grep -q "$(printf '\033')" err && fail 'an escape character reaches the terminal'
@@ -177,6 +249,11 @@ chmod 600 q.off; succeeds "$rectilin" convert p.off q.off
 ln -s q.off link.off; succeeds "$rectilin" convert shape:box link.off
 [ -L link.off ] && [ "$(stat -c %a q.off)" = 600 ] && ! cmp -s p.off q.off || fail 'a link stays'
 expect 2 'proof' "$rectilin" measure --proof '' p.off
+"$rectilin" measure p.off "$work/p.ply" -o box.db >out 2>err || fail 'a store'
+echo mine >box.csv.new; echo old >box.csv; chmod 600 box.csv
+expect 0 'box.csv' "$rectilin" export box.db -o box.csv
+[ "$(cat box.csv.new)" = mine ] && [ "$(stat -c %a box.csv)" = 600 ] && [ "$(wc -l <box.csv)" -eq 3 ] || fail 'an export'
+expect 1 'p.off/a.csv: cannot be written: not a directory' "$rectilin" export box.db -o p.off/a.csv
 
 mkdir signals
 for signal in INT TERM HUP KILL; do

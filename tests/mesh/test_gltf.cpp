@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <fstream>
 
+#include "rectilin/mesh/mesh_report.h"
 #include "rectilin/mesh/source.h"
 #include "support/catch.h"
 #include "support/gltf_file.h"
@@ -52,6 +53,7 @@ TEST_CASE("glTF: the scene places meshes", "[gltf]") {
     {"mesh": 0, "scale": [100, 100, 100]}])");
   const LoadedMesh scene = read(json);
   CHECK(scene.report.scene.instances == 2);
+  CHECK(summary(scene.report) == "left out: 1 mesh not in the scene");
   CHECK(area_of(scene.mesh) == Approx(48));
   const auto box = box_of(scene.mesh);  // the child: x in 2 (3 + [-1, 0])
   CHECK(box.max()[0] == Approx(6));
@@ -61,6 +63,32 @@ TEST_CASE("glTF: the scene places meshes", "[gltf]") {
   const auto moved = box_of(read(json).mesh);
   CHECK(moved.min() == Vector3(5, 6, 7));
   CHECK(moved.max() == Vector3(6, 9, 8));
+}
+
+TEST_CASE("glTF: what is not in the mesh is said", "[gltf][loss]") {
+  CHECK(summary(read(cube_json()).report) == "");
+  const std::string file = glb(cube_json(), cube_buffer());
+  CHECK(summary(read_mesh(file + "more", MeshFormat::kGltf, "test.glb").report) ==
+        "left out: 4 bytes of data behind the last face (byte " + std::to_string(file.size()) + ")");
+  CHECK(summary(read_mesh(file + std::string(3, '\0'), MeshFormat::kGltf, "test.glb").report) ==
+        "there are 3 bytes of padding at the end");
+
+  Json json = cube_json();
+  json["meshes"].push_back(json["meshes"][0]);  // that no node has
+  json["scenes"].push_back({{"nodes", {1}}});   // another scene
+  json["nodes"].push_back({{"mesh", 0}});
+  CHECK(summary(read(json).report) == "left out: 2 meshes not in the scene");
+
+  json = cube_json();
+  json["meshes"][0]["primitives"][0]["targets"] = Json::parse(R"([{"POSITION": 0}])");
+  CHECK(summary(read(json).report) == "there is 1 mesh whose skin or morph targets are not applied");
+
+  json = cube_json();
+  for (Json& accessor : json["accessors"])
+    if (accessor["count"] == 36) accessor["count"] = 35;
+  const LoadedMesh cut = read(json);
+  CHECK(cut.mesh.triangles.size() == 11);
+  CHECK(summary(cut.report) == "left out: 1 face of fewer than three corners");
 }
 
 TEST_CASE("glTF: instances by the extension", "[gltf]") {

@@ -114,6 +114,13 @@ TEST_CASE("binary STL: every byte of a file is accounted for", "[loss]") {
     CHECK(contains(stl("PK\x03\x04" + rest), "a ZIP archive"));
     CHECK(contains(stl("\x1F\x8B" + rest), "gzip"));
     CHECK(contains(stl("<!DOCTYPE html><html>" + rest), "a web page"));
+    std::string tar(600, '\0');
+    tar.replace(0, 5, "a.stl").replace(257, 5, "ustar");
+    CHECK(contains(stl(tar), "a TAR archive"));
+    std::string wide;
+    for (const char c : "solid a\nfacet normal 0 0 1\nouter loop\n"s) wide += {c, '\0'};
+    CHECK(contains(stl(wide), "UTF-16"));
+    CHECK(contains(said(MeshFormat::kOff, "\0" + wide), "UTF-16"));
     CHECK(contains(stl("\n <HTML>" + rest), "a web page"));
     CHECK(contains(stl("version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n"), "Git LFS"));
     CHECK(contains(stl("ISO-10303-21;\nHEADER;\n" + rest), "a STEP file"));
@@ -135,12 +142,21 @@ TEST_CASE("what stands behind all that the header counts is reported", "[loss]")
   CHECK(said(MeshFormat::kPly, binary_ply()) == "");
   CHECK(contains(said(MeshFormat::kPly, binary_ply() + "\n"), "1 byte of padding"));
   CHECK(contains(said(MeshFormat::kPly, binary_ply() + "\3abc"), "4 bytes of data behind"));
+  std::string with_lf = binary_ply();  // whose last coordinate holds a line feed
+  with_lf.replace(with_lf.size() - 17, 4, raw_bytes(std::bit_cast<float>(0x3F8A0A01)));
+  CHECK(said(MeshFormat::kPly, with_lf) == "");
+  CHECK(contains(said(MeshFormat::kPly, replaced(with_lf, "\n", "\r\n")), "refused"));
   CHECK(contains(said(MeshFormat::kPly,
                       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float "
                       "y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\n"
                       "element trifan 2\nproperty list uchar int vertex_indices\nend_header\n" +
                           kVertices + "3 0 1 2\n3 0 1 2\n3 0 1 2\n"),
                  "2 statements that may be surface (the element 'trifan' in line 9)"));
+}
+
+TEST_CASE("OFF: what stands behind coordinates is numbers", "[loss]") {
+  CHECK(said(MeshFormat::kOff, replaced(kOff, "1 0 0\n", "1 0 0 0.5 1e2 nan # red\n")) == "");
+  CHECK(contains(said(MeshFormat::kOff, replaced(kOff, "1 0 0\n", "1 0 0 red\n")), "refused: m:line 4: "));
 }
 
 TEST_CASE("OFF in other layouts", "[loss]") {
@@ -173,10 +189,13 @@ TEST_CASE("OBJ: statements that are not known", "[loss]") {
   CHECK(obj("mtllib a.mtl\no a\ng b\ns off\nusemtl c\n" + kObj + "vt 0 0\nvn 0 0 1\nvp 1 2\nl 1 2\np 1\nf 1 2 3\n") ==
         "");
   CHECK(obj(kObj + "f 1 2 3\nsurf 0 1 0 1 1 2\nsurf 0 1 0 1/1 2/2 x\n") != "");
+  CHECK(obj(kObj + "f 1 2 3\nsurf 0.0 1.0 0.0 1.0 1 2 3\nbzp 1 2 3 1 2 3\nbsp 1 2 3\ncdp 1 2 3\n") ==
+        "left out: 4 statements that may be surface ('surf' in line 5)");
   CHECK(obj(kObj + "f 1 2 3\ncsh ls\nzap\ncsh\n") == "left out: 3 statements that may be surface ('csh' in line 5)");
   CHECK(contains(obj(kObj + "f 1 2 3\ncall other.obj\n"), "refused: m:line 5: the statement 'call'"));
-  for (const char* wrong : {"V 0 0 1", "F 1 2 3", "0 0 1", "vertex 0 0 1", "v0 0 1", "face 1/1 2/2 3/3", "f1 2 3",
-                            "1//1 2//1 3//1", "w 1 2 3 4"}) {
+  for (const char* wrong :
+       {"V 0 0 1", "F 1 2 3", "0 0 1", "vertex 0 0 1", "v0 0 1", "face 1/1 2/2 3/3", "f1 2 3", "1//1 2//1 3//1",
+        "w 1 2 3 4", "v,0,0,1", "v;0;0;1", "0,0,1", "vO 0 1", "vv0 0 1", "f,1,2,3", "fl 2 3", "f=1 2 3", "v[0] 0 1"}) {
     CAPTURE(wrong);
     CHECK(contains(obj(kObj + wrong + "\nf 1 2 3\n"), "refused: m:line 4: "));
   }
@@ -215,6 +234,19 @@ TEST_CASE("text STL in any layout", "[loss]") {
   CHECK(contains(said(MeshFormat::kStl, four), "1 facet of other than three corners"));
   CHECK(contains(said(MeshFormat::kStl, usual + replaced(usual, "vertex 1 0 0\n", "")), "1 face of fewer than three"));
   CHECK(contains(said(MeshFormat::kStl, replaced(usual, "vertex 1", "vertx 1")), "refused: m:line 5: "));
+  // A facet of two loops is two polygons.
+  const LoadedMesh loops =
+      read(MeshFormat::kStl,
+           replaced(usual, "endloop", "endloop\nouter loop\nvertex 0 0 1\nvertex 1 0 1\nvertex 0 1 1\nendloop"));
+  CHECK(test::surface(loops.mesh) == 1);
+  CHECK(loops.mesh.triangles.size() == 2);
+  CHECK(summary(read(MeshFormat::kStl, replaced(usual, "outer loop\n", "") + one_line).report) == "");
+  // Text that something has damaged is not taken for binary data.
+  CHECK(contains(said(MeshFormat::kStl, replaced(usual, "vertex 1", "vertex \0"s)),
+                 "refused: m:line 5: a NUL character"));
+  CHECK(
+      contains(said(MeshFormat::kStl, replaced(usual, "solid a", "solid \0"s)), "refused: m:line 1: a NUL character"));
+  CHECK(contains(said(MeshFormat::kStl, one_line + "\n\0"s + one_line), "refused: m:line 2: a NUL character"));
   CHECK(contains(said(MeshFormat::kStl, replaced(usual, "0 1 0", "0 1 0 9")), "refused"));
   CHECK(contains(said(MeshFormat::kStl, usual + "3 0 1 2\n"), "refused: m:line 10: expected solid"));
 }
@@ -261,6 +293,9 @@ TEST_CASE("lists of sources", "[loss]") {
              "a\nb\n") == Names{"a", "b"});
   CHECK(list("a\0b\nc\0"s) == Names{"a", "b\nc"});
   CHECK(list("a\0"s) == Names{"a"});
+  CHECK(list("solid state.off\nb\n") == Names{"solid state.off", "b"});
+  CHECK(list("off\nb\n") == Names{"off", "b"});
+  for (const std::string& mesh : {kOff, kPly, "solid a\nfacet normal 0 0 1\n"s}) CHECK_THROWS_AS(list(mesh), MeshError);
   for (const std::string& wrong : {"\0\n"s, "\0"s, "a\0b"s, "a\0\0b\0"s,
                                    "\xFF\xFE"
                                    "a\0\n\0"s,

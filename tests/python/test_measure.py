@@ -4,6 +4,7 @@ import json
 import math
 import subprocess
 import types
+import warnings
 
 import numpy as np
 import pytest
@@ -216,6 +217,24 @@ def test_errors_are_the_commands(command, tmp_path):
     with pytest.raises(rectilin.MeshError) as error:
         rectilin.load(bad)
     assert said == "rectilin: " + str(error.value)
+
+
+def test_what_was_left_out_is_said(command, tmp_path):
+    lossy = tmp_path / "lossy.off"
+    rectilin.save(lossy, "shape:box")
+    lossy.write_text(lossy.read_text() + "3 0 1 2\n")
+    said = subprocess.run([command, "measure", lossy], check=True, capture_output=True, text=True).stderr.splitlines()[0]
+    for read in (rectilin.load, rectilin.measure, rectilin.Problem, rectilin.Mesh, rectilin.silhouette_area):
+        with pytest.warns(UserWarning) as warned:
+            read(lossy)
+        assert ["rectilin: " + str(w.message) for w in warned] == [said]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        rectilin.load("shape:box")
+        with pytest.raises(UserWarning, match="7 bytes of data behind"):
+            rectilin.load(lossy)
+    compared = rectilin.compare(str(lossy), "random", runs=1, budget=10, out="lossy")
+    assert ["rectilin: " + line for line in compared.losses] == [said]
 
 
 def test_normals():

@@ -53,8 +53,8 @@ TEST_CASE("A bad classification gets a line that says where") {
   CHECK(complaint("PSB 1\n1 2\na 0 3\n5\n6\n") == "x.cla:line 6: the file ends where a model should be");
   CHECK(complaint("PSB 1\n1 2\na 0 1\n5\n") == "x.cla:line 5: there are 1 models, 2 are announced");
   CHECK(complaint("PSB 1\n1 1\na 0 1\n5\n6\n") == "x.cla:line 5: there is more than the 1 classes announced");
-  CHECK_THROWS_WITH(read_classification("/nowhere.cla"), "/nowhere.cla: cannot be read");
-  CHECK_THROWS_WITH(read_classification("/"), "/: is a folder");
+  CHECK_THROWS_WITH(read_classification("/nowhere.cla"), "/nowhere.cla: no such file or directory");
+  CHECK_THROWS_WITH(read_classification("/"), "/: is a directory");
 }
 
 TEST_CASE("The training half of the Princeton Shape Benchmark") {

@@ -98,6 +98,7 @@ class Run {
       features = describe(collection);
       evaluation_.failed = features.failed;
       evaluation_.errors = features.errors;
+      evaluation_.losses = features.losses;
       if (!features.complete) return std::move(evaluation_);
       who = leave_out_failed(collection, features);
     }

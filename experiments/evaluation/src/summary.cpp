@@ -132,6 +132,7 @@ Json summary(const Evaluation& evaluation, const Json& provenance) {
           {"missing", evaluation.missing},
           {"failed", evaluation.failed},
           {"errors", evaluation.errors},
+          {"left_out", evaluation.losses},
           {"empty_classes", evaluation.empty_classes},
           {"small_classes", evaluation.small_classes},
           {"results", results},

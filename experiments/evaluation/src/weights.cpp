@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <numeric>
 
 #include "rectilin/base/random.h"
+#include "rectilin/base/system_reason.h"
 #include "rectilin/base/whole_file.h"
 #include "rectilin/retrieval/descriptor.h"
 
@@ -115,11 +115,11 @@ void write_weights(const std::filesystem::path& file, const std::vector<std::str
 }
 
 std::string read_weights(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in || std::filesystem::is_directory(file)) throw ParameterError(file.string() + ": cannot be read");
+  if (const std::error_code error = why_unreadable(file))
+    throw ParameterError(file.string() + ": " + system_reason(error));
   std::string text;
   try {
-    const Json json = Json::parse(in);
+    const Json json = Json::parse(read_whole_file(file));
     for (const Json& term : json.at("terms")) {
       const double weight = term.at("weight").get<double>();
       if (!(weight >= 0)) throw ParameterError(file.string() + ": a weight is negative");

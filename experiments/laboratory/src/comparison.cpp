@@ -17,8 +17,10 @@
 #include "rectilin/base/journal.h"
 #include "rectilin/base/whole_file.h"
 #include "rectilin/laboratory/provenance.h"
+#include "rectilin/laboratory/report.h"
 #include "rectilin/measure/measure.h"
 #include "rectilin/measure/verify.h"
+#include "rectilin/mesh/mesh_report.h"
 #include "rectilin/mesh/source.h"
 #include "turned_objective.h"
 
@@ -32,14 +34,14 @@ constexpr const char* kRuns = "runs.jsonl";
 
 void store_plan(const Plan& plan, const fs::path& folder) {
   const fs::path file = folder / "plan.json";
-  if (!fs::exists(file)) {
+  std::error_code unknown;  // left to read_whole_file(), which says why
+  if (fs::status(file, unknown).type() == fs::file_type::not_found) {
     write_whole_file(file, to_text(to_json(plan), 2) + '\n');
     return;
   }
   Plan stored;
   try {
-    std::ifstream in(file);
-    stored = plan_from_json(Json::parse(in));
+    stored = plan_from_json(Json::parse(read_whole_file(file)));
   } catch (const Json::exception&) {
     throw ParameterError(file.string() + ": is not the plan of a comparison; choose another folder");
   }
@@ -67,7 +69,8 @@ constexpr std::uint64_t kReferenceBudgets = 10;
 /// A mesh of the plan and what is known about it.
 struct Problem {
   std::string name, error;
-  std::string digest;  // digest of the mesh
+  std::string digest;    // of the mesh
+  std::string left_out;  // of it by its reader
   std::size_t faces = 0;
   std::optional<AreaVectors> vectors;
   std::shared_ptr<const Objective> other;  // what is searched instead of R, if the plan says so
@@ -116,6 +119,8 @@ class Comparison {
       problem.vectors = std::move(loaded.vectors);
       problem.digest = std::move(loaded.digest);
       problem.faces = loaded.faces;
+      problem.left_out = std::move(loaded.left_out);
+      if (!problem.left_out.empty()) outcome_.losses.push_back(mesh + ": " + problem.left_out);
       if (!plan_.proves()) problem.other = settings_.objective(mesh);
     } catch (const std::exception& e) {
       problem.error = error_about(mesh, e.what());
@@ -179,6 +184,7 @@ class Comparison {
   void certify(Problem& problem) {
     show("bounding the optimum of " + problem.name);
     Json line = {{"mesh", problem.name}};
+    if (!problem.left_out.empty()) line["left_out"] = problem.left_out;
     if (problem.other) {
       const std::optional<Json> found = search_reference(problem);
       if (!found) return;
@@ -286,9 +292,11 @@ class Comparison {
 
 }  // namespace
 
-ComparedMesh load_compared_mesh(const std::string& source) {
-  const Mesh mesh = load_mesh(source).mesh;
-  return {area_vectors(mesh), mesh.triangles.size(), mesh_digest(mesh)};
+ComparedMesh load_compared_mesh(const std::string& source) { return compared_mesh(load_mesh(source)); }
+
+ComparedMesh compared_mesh(const LoadedMesh& loaded) {
+  const Mesh& mesh = loaded.mesh;
+  return {area_vectors(mesh), mesh.triangles.size(), mesh_digest(mesh), summary(loaded.report)};
 }
 
 ComparisonOutcome run_comparison(const Plan& plan, const fs::path& folder, const Registry& registry,
@@ -302,7 +310,9 @@ ComparisonOutcome run_comparison(const Plan& plan, const fs::path& folder, const
   record_start(plan, registry, folder, settings.command_line);
   const std::vector<Json> meshes = recover_journal(folder / kMeshes);
   const std::vector<Json> runs = recover_journal(folder / kRuns);
-  return Comparison(plan, folder, registry, settings).go(meshes, runs);
+  ComparisonOutcome outcome = Comparison(plan, folder, registry, settings).go(meshes, runs);
+  if (settings.report && outcome.complete) outcome.pictures = write_report(folder, lock);
+  return outcome;
 }
 
 }  // namespace rectilin::laboratory

@@ -277,10 +277,15 @@ std::string meshes_html(const Results& results) {
                printed("%.10f", mesh.upper), printed("%.1e", mesh.upper - mesh.lower), whole_number(mesh.evaluations),
                printed("%.3f", mesh.seconds), angle(degrees[0]), angle(degrees[1]), angle(degrees[2])});
   }
-  return table.text() + paragraph(
-                            "Certified: no rotation of the mesh gives more than the upper bound, and the rotation "
-                            "shown gives the lower one. Angles are the paper's (eqs. 35-37) in degrees, of the best "
-                            "rotation known, in the mesh's own coordinates.");
+  std::string losses;
+  for (const MeshResult& mesh : results.meshes)
+    if (!mesh.left_out.empty()) losses += "<li>" + escape(mesh.name) + ": " + escape(mesh.left_out) + "</li>\n";
+  if (!losses.empty()) losses = paragraph("Not all that the file holds:") + "<ul>\n" + losses + "</ul>\n";
+  return table.text() + losses +
+         paragraph(
+             "Certified: no rotation of the mesh gives more than the upper bound, and the rotation "
+             "shown gives the lower one. Angles are the paper's (eqs. 35-37) in degrees, of the best "
+             "rotation known, in the mesh's own coordinates.");
 }
 
 std::string failures_html(const Results& results) {

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "rectilin/base/journal.h"
+#include "rectilin/base/whole_file.h"
 #include "rectilin/measure/projected_area.h"
 
 namespace rectilin::laboratory {
@@ -34,6 +35,7 @@ MeshResult mesh_from_json(const Json& line) {
     mesh.error = line.at("error").get<std::string>();
     return mesh;
   }
+  mesh.left_out = line.value("left_out", "");
   line.at("faces").get_to(mesh.faces);
   line.at("directions").get_to(mesh.directions);
   mesh.area = number(line.at("area"));                  // null if out of range
@@ -120,9 +122,15 @@ std::vector<std::string> titles(const std::vector<std::string>& sources) {
 
 Results load_results(const fs::path& folder) {
   Results results;
-  std::ifstream in(folder / "plan.json");
-  if (!in) throw std::runtime_error(folder.string() + ": holds no comparison (there is no plan.json)");
-  results.plan = plan_from_json(Json::parse(in));
+  const fs::path plan = folder / "plan.json";
+  std::error_code unknown;  // left to read_whole_file(), which says why
+  if (fs::status(plan, unknown).type() == fs::file_type::not_found)
+    throw std::runtime_error(folder.string() + ": holds no comparison (there is no plan.json)");
+  try {
+    results.plan = plan_from_json(Json::parse(read_whole_file(plan)));
+  } catch (const Json::exception&) {
+    throw std::runtime_error(plan.string() + ": is no plan of a comparison");
+  }
 
   const std::vector<std::string> title = titles(results.plan.meshes);
   std::map<std::string, MeshResult> known;

@@ -79,23 +79,26 @@ Json problem_json(const std::string& name, const std::string& source, const Comp
   const auto end = [&](double Interval::*member) {
     return optimum.bounds ? Json((*optimum.bounds).*member) : Json(nullptr);
   };
-  return {{"format", "rectilin problem"},
-          {"version", 1},
-          {"name", name},
-          {"source", source},
-          {"digest", mesh.digest},
-          {"faces", mesh.faces},
-          {"directions", v.size()},
-          {"value", optimum.run.incumbent.value},
-          {"value_lower", optimum.run.value_bound ? Json(*optimum.run.value_bound) : Json(nullptr)},
-          {"rectilinearity", optimum.value},
-          {"lower", end(&Interval::lower)},
-          {"upper", end(&Interval::upper)},
-          {"rotation", to_json(optimum.rotation)},
-          {"vectors", vectors}};
+  Json json = {{"format", "rectilin problem"},
+               {"version", 1},
+               {"name", name},
+               {"source", source},
+               {"digest", mesh.digest},
+               {"faces", mesh.faces},
+               {"directions", v.size()},
+               {"value", optimum.run.incumbent.value},
+               {"value_lower", optimum.run.value_bound ? Json(*optimum.run.value_bound) : Json(nullptr)},
+               {"rectilinearity", optimum.value},
+               {"lower", end(&Interval::lower)},
+               {"upper", end(&Interval::upper)},
+               {"rotation", to_json(optimum.rotation)},
+               {"vectors", vectors}};
+  if (!mesh.left_out.empty()) json["left_out"] = mesh.left_out;
+  return json;
 }
 
-void export_suite(const Suite& suite, const std::filesystem::path& folder, double gap, const LoopControl& control) {
+std::vector<std::string> export_suite(const Suite& suite, const std::filesystem::path& folder, double gap,
+                                      const LoopControl& control) {
   std::filesystem::create_directories(folder);
   std::vector<std::string> names;
   for (const SuiteProblem& problem : suite.problems) names.push_back(problem.source);
@@ -105,11 +108,13 @@ void export_suite(const Suite& suite, const std::filesystem::path& folder, doubl
     return problem_json(problem.name, problem.source, mesh, certified(mesh, problem.name, gap, control));
   };
   Json list = Json::array();
+  std::vector<std::string> losses;
   const auto write = [&](std::size_t i, Outcome<Json>&& problem) {
     if (!problem.value) throw MeshError(problem.error);
     const SuiteProblem& what = suite.problems[i];
     write_whole_file(folder / (what.name + ".json"), to_text(*problem.value) + '\n');
     Json entry = std::move(*problem.value);
+    if (entry.contains("left_out")) losses.push_back(what.source + ": " + entry["left_out"].get<std::string>());
     entry.erase("vectors");
     entry.erase("format");
     entry.erase("version");
@@ -120,6 +125,7 @@ void export_suite(const Suite& suite, const std::filesystem::path& folder, doubl
   const Json json = {
       {"format", "rectilin suite"}, {"version", 1}, {"name", suite.name}, {"help", suite.help}, {"problems", list}};
   write_whole_file(folder / "suite.json", to_text(json, 2) + '\n');
+  return losses;
 }
 
 }  // namespace rectilin::laboratory

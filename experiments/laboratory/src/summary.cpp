@@ -125,8 +125,10 @@ Json to_json(const std::vector<RunningTime>& times) {
 
 Json to_json(const MeshResult& mesh) {
   if (!mesh.error.empty()) return {{"name", mesh.name}, {"error", mesh.error}};
-  return {{"name", mesh.name},   {"faces", mesh.faces}, {"directions", mesh.directions},     {"area", mesh.area},
-          {"lower", mesh.lower}, {"upper", mesh.upper}, {"rotation", to_json(mesh.rotation)}};
+  Json json = {{"name", mesh.name},   {"faces", mesh.faces}, {"directions", mesh.directions},     {"area", mesh.area},
+               {"lower", mesh.lower}, {"upper", mesh.upper}, {"rotation", to_json(mesh.rotation)}};
+  if (!mesh.left_out.empty()) json["left_out"] = mesh.left_out;
+  return json;
 }
 
 }  // namespace

@@ -3,8 +3,23 @@
 #include "figures/experiments.h"
 #include "rectilin/base/whole_file.h"
 #include "rectilin/laboratory/provenance.h"
+#include "rectilin/mesh/source.h"
 
 namespace rectilin::paper {
+
+Mesh ExperimentContext::load(const std::string& source) const {
+  std::error_code ignored;
+  const bool is_pipe = !is_shape_source(source) && std::filesystem::is_fifo(source, ignored);
+  const auto read = [&] {
+    LoadedMesh loaded = load_mesh(source);
+    losses->add(source, loaded.report);
+    return std::move(loaded.mesh);
+  };
+  if (!is_pipe) return read();
+  const std::lock_guard lock(from_pipes->mutex);
+  const auto known = from_pipes->meshes.find(source);
+  return known != from_pipes->meshes.end() ? known->second : from_pipes->meshes[source] = read();
+}
 
 const std::vector<Experiment>& experiments() {
   using namespace figures;
@@ -25,8 +40,10 @@ const Experiment& find_experiment(const std::string& name) {
   throw_unknown_name("experiment", name, known);
 }
 
-ExperimentOutcome run_experiment(const Experiment& experiment, const Json& settings, const ExperimentContext& context,
+ExperimentOutcome run_experiment(const Experiment& experiment, const Json& settings, const ExperimentContext& given,
                                  const std::filesystem::path& folder, const std::string& command_line) {
+  ExperimentContext context = given;
+  context.losses = std::make_shared<LossLog>();  // of this experiment alone
   if (!context.meshes.empty() && experiment.takes.empty())
     throw ParameterError(experiment.name + " makes its own meshes and takes no others");
   const ExperimentResult result = experiment.make(settings, context);
@@ -44,20 +61,15 @@ ExperimentOutcome run_experiment(const Experiment& experiment, const Json& setti
     names.push_back(plot.name);
     pictures.push_back({{"name", plot.name}, {"caption", plot.caption}, {"width", plot.plot.width()}});
   }
-  const Json all = {{"experiment", experiment.name},
-                    {"title", experiment.help},
-                    {"says", result.says},
-                    {"settings", settings},
-                    {"seed", context.seed},
-                    {"gap", context.gap},
-                    {"meshes", context.meshes},
-                    {"data", result.data},
-                    {"errors", result.errors},
-                    {"pictures", pictures},
-                    {"provenance", laboratory::provenance(command_line)}};
-  // File names may be in any encoding: what is not UTF-8 is replaced.
+  const Json all = {{"experiment", experiment.name}, {"title", experiment.help},
+                    {"says", result.says},           {"settings", settings},
+                    {"seed", context.seed},          {"gap", context.gap},
+                    {"meshes", context.meshes},      {"data", result.data},
+                    {"errors", result.errors},       {"left_out", context.losses->lines()},
+                    {"pictures", pictures},          {"provenance", provenance(command_line)}};
+  // Names of files may be in no encoding at all: what is not UTF-8 is replaced.
   write_whole_file(folder / (experiment.name + ".json"), to_text(all, 1) + '\n');
-  return {result.says, result.errors, report::draw_all(folder, names)};
+  return {result.says, result.errors, context.losses->lines(), draw_all(folder, names)};
 }
 
 }  // namespace rectilin::paper

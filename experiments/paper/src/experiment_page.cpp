@@ -38,9 +38,11 @@ std::string section(const Json& experiment, const fs::path& folder) {
   std::string text = "<h2 id=\"" + escape(name) + "\">" + escape(name) + ": " + escape(title) + "</h2>\n" +
                      paragraph(escape(experiment.at("says").get<std::string>())) + report::html::side_by_side(pictures);
   for (const Json& error : experiment.at("errors")) text += paragraph(escape(error.get<std::string>()));
-  return text + report::html::details("Settings, command, machine, versions",
-                                      "<pre>" + escape(to_text(record(experiment), 2)) + "</pre>\n" +
-                                          paragraph("All numbers: " + link(name + ".json", name + ".json")));
+  for (const Json& loss : experiment.value("left_out", Json::array()))
+    text += paragraph("Not all of " + escape(loss.get<std::string>()));
+  return text + html::details("Settings, command, machine, versions",
+                              "<pre>" + escape(to_text(record(experiment), 2)) + "</pre>\n" +
+                                  paragraph("All numbers: " + link(name + ".json", name + ".json")));
 }
 
 std::string introduction() {

@@ -9,6 +9,8 @@
 #include <cctype>
 
 #include "io/text.h"
+#include "rectilin/base/system_reason.h"
+#include "rectilin/base/whole_file.h"
 #include "rectilin/mesh/mesh.h"
 
 namespace rectilin {
@@ -67,8 +69,8 @@ bool is_archive_name(std::string_view file) {
 void Unpacker::Close::operator()(archive* a) const { archive_read_free(a); }
 
 Unpacker::Unpacker(const fs::path& file) : name_(file.string()), only_member_(only_member_of(file)) {
-  std::error_code error;
-  if (!fs::exists(file, error)) fail("no such file");
+  std::error_code error = why_unreadable(file);
+  if (error) fail(system_reason(error));
   packed_ = fs::file_size(file, error);
   if (error) fail("not a regular file");
   archive_.reset(archive_read_new());

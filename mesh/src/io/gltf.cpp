@@ -13,6 +13,7 @@
 
 #include "io/bytes.h"
 #include "io/gltf_accessor.h"
+#include "io/left_over.h"
 #include "io/scene.h"
 #include "io/soup.h"
 #include "io/text.h"
@@ -23,7 +24,7 @@ namespace {
 using Eigen::Affine3d;
 
 constexpr std::string_view kMagic = "glTF";
-constexpr std::size_t kMostBrackets = 64;                          // of brackets in the JSON: parsers recurse
+constexpr std::size_t kMostBrackets = 64;                      // of brackets in the JSON: parsers recurse
 constexpr std::uint64_t kMaxBuffers = std::uint64_t{1} << 31;  // bytes of all buffers together
 constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
 
@@ -51,7 +52,8 @@ void check_depth(std::string_view json, const std::string& name) {
     } else if (c == '"') {
       quoted = true;
     } else if (c == '{' || c == '[') {
-      if (++depth > kMostBrackets) throw MeshError(name + ":byte " + std::to_string(i) + ": the JSON is nested too deep");
+      if (++depth > kMostBrackets)
+        throw MeshError(name + ":byte " + std::to_string(i) + ": the JSON is nested too deep");
     } else if ((c == '}' || c == ']') && depth > 0) {
       --depth;
     }
@@ -187,6 +189,22 @@ class Scene {
   }
 
  private:
+  /// Nodes with surface that the scene does not reach, and meshes that no node has.
+  void count_unplaced(const std::vector<char>& met) {
+    std::vector<char> known(model_.meshes.size(), 0);
+    const auto has_surface = [&](std::size_t mesh) {
+      return std::ranges::any_of(model_.meshes[mesh].primitives, has_triangles);
+    };
+    for (const Node& node : nodes_) known[node.mesh] = 1;
+    for (std::size_t i = 0; i < met.size(); ++i) {
+      const int mesh = model_.nodes[i].mesh;
+      if (mesh < 0 || static_cast<std::size_t>(mesh) >= known.size()) continue;
+      known[static_cast<std::size_t>(mesh)] = 1;
+      soup_.scene.unplaced += !met[i] && has_surface(static_cast<std::size_t>(mesh));
+    }
+    for (std::size_t mesh = 0; mesh < known.size(); ++mesh) soup_.scene.unplaced += !known[mesh] && has_surface(mesh);
+  }
+
   struct Node {
     std::size_t mesh;
     Affine3d to_world;
@@ -269,10 +287,13 @@ class Scene {
         const auto mesh = static_cast<std::size_t>(node.mesh);
         charge(mesh, 1);
         nodes_.push_back({mesh, to_world, instances_of(node)});
+        const auto has_targets = [](const tinygltf::Primitive& p) { return !p.targets.empty(); };
+        soup_.scene.deformed += node.skin >= 0 || std::ranges::any_of(model_.meshes[mesh].primitives, has_targets);
       }
       for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
         open.emplace_back(*child, to_world);
     }
+    count_unplaced(met);
   }
 
   static Affine3d transform_of(const tinygltf::Node& node) {
@@ -364,10 +385,15 @@ class Scene {
     const bool strip = primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP,
                fan = primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
     const std::size_t step = strip || fan ? 1 : 3;
-    for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
+    std::size_t i = 0;
+    for (; i + 2 < corners.size(); i += step) {
       soup_.corners.insert(soup_.corners.end(), {corners[fan ? 0 : i], corners[i + 1], corners[i + 2]});
       soup_.close_polygon();
     }
+    const bool is_short = step == 3 ? i < corners.size() : corners.size() > 0 && corners.size() < 3;
+    if (!is_short) return;  // what is left over makes no triangle
+    soup_.corners.insert(soup_.corners.end(), corners.begin() + static_cast<std::ptrdiff_t>(i), corners.end());
+    soup_.close_polygon();
   }
 
   [[noreturn]] void fail(const std::string& reason) const { throw MeshError(name_ + ": " + reason); }
@@ -386,7 +412,12 @@ bool looks_like_glb(std::string_view bytes) { return bytes.starts_with(kMagic); 
 
 PolygonSoup read_gltf(std::string_view bytes, const ReadBeside& beside, const std::string& name) {
   const tinygltf::Model model = parse(bytes, beside, name);
-  return Scene(model, name).place_all();
+  PolygonSoup soup = Scene(model, name).place_all();
+  if (looks_like_glb(bytes)) {  // which says how long it is
+    const std::size_t length = ByteReader(bytes, 8, std::endian::little, name).read<std::uint32_t>();
+    if (length < bytes.size()) report_left_over(bytes.substr(length), length, soup.report);
+  }
+  return soup;
 }
 
 }  // namespace rectilin

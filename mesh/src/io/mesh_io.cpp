@@ -8,6 +8,7 @@
 #include "io/signature.h"
 #include "io/soup.h"
 #include "io/text.h"
+#include "rectilin/base/system_reason.h"
 #include "rectilin/base/whole_file.h"
 
 namespace rectilin {
@@ -24,6 +25,7 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes) {
   if (looks_like_ply(bytes)) return MeshFormat::kPly;
   if (looks_like_off(bytes)) return MeshFormat::kOff;
   if (looks_like_stl(bytes)) return MeshFormat::kStl;
+  if (looks_like_3mf(bytes)) return MeshFormat::k3mf;
   return std::nullopt;
 }
 
@@ -54,7 +56,7 @@ std::string read_beside(const std::filesystem::path& mesh, const std::string& pa
   std::error_code error;
   const fs::path root = fs::canonical(folder, error);
   const fs::path file = fs::canonical(folder / path, error);
-  if (error) throw MeshError(mesh.string() + ": " + rectilin::quoted(path) + ": no such file");
+  if (error) throw MeshError(mesh.string() + ": " + rectilin::quoted(path) + ": " + system_reason(error));
   if (fs::path(path).is_absolute() || std::ranges::mismatch(root, file).in1 != root.end())
     throw MeshError(mesh.string() + ": " + rectilin::quoted(path) + " is outside its folder");
   return read_bytes(file);
@@ -87,8 +89,7 @@ LoadedMesh read_mesh(std::string_view bytes, const std::string& name, const Read
   std::optional<MeshFormat> format = format_of_content(bytes);
   if (!format) format = format_of_extension(name);
   if (!format && bytes.empty()) throw MeshError(name + ": the file is empty");
-  if (!format && foreign_kind(bytes).empty())
-    throw MeshError(name + ": neither content nor name tell a known format");
+  if (!format && foreign_kind(bytes).empty()) throw MeshError(name + ": neither content nor name tell a known format");
   if (!format) throw MeshError(name + ": not a mesh but " + std::string(foreign_kind(bytes)));
   return read_mesh(bytes, *format, name, beside);
 }

@@ -2,12 +2,11 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <optional>
-#include <sstream>
 
 #include "io/bytes.h"
 #include "io/ply_header.h"
+#include "rectilin/base/whole_file.h"
 
 namespace rectilin {
 namespace {
@@ -126,13 +125,13 @@ WeightedNormals read_normals(std::string_view bytes, const std::string& name) {
 }
 
 WeightedNormals read_normals(const std::filesystem::path& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) throw MeshError(file.string() + ": is a folder");
-  if (!std::filesystem::exists(file, error)) throw MeshError(file.string() + ": no such file");
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream bytes;
-  if (!(bytes << stream.rdbuf())) throw MeshError(file.string() + ": cannot be read");
-  return read_normals(bytes.view(), file.string());
+  std::string bytes;
+  try {
+    bytes = read_whole_file(file);
+  } catch (const std::runtime_error& e) {
+    throw MeshError(e.what());
+  }
+  return read_normals(bytes, file.string());
 }
 
 }  // namespace rectilin

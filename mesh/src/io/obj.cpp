@@ -18,6 +18,9 @@ constexpr std::array<std::string_view, 38> kHarmless = {
     "trace_obj", "cstype", "deg",    "bmat",   "step",   "parm",  "trim",     "hole",     "scrv", "sp",
     "end",       "con",    "curv",   "curv2",  "ctech",  "stech", "res",      "cdc"};
 
+// Free-form surfaces and patches: area that is not read.
+constexpr std::array<std::string_view, 4> kSurfaces = {"surf", "bsp", "bzp", "cdp"};
+
 // The largest vertex index any face uses, and where. Faces may come before their vertices, so that
 // only the end of the file tells whether it was good.
 struct LargestIndex {
@@ -70,24 +73,31 @@ bool is_number_or_corner(std::string_view word) {
 }
 
 // Whether a statement that is not known may be a vertex or a face whose keyword is missing ("0 1 0"), mistyped ("V",
-// "vertex") or glued to its first number ("v0 1 0"): numbers make up all of it but the keyword, three at least.
+// "vertex", "v:"), glued to its first number ("v0 1 0", also where that is mistyped, "vO 1 0") or to all of them by
+// what is not blank ("v,0,1,0"): numbers make up all of it but the keyword, three at least, or two behind a word in v
+// or f.
 bool looks_like_data(LineReader& text, std::string_view keyword) {
-  constexpr std::string_view kNumber = "+-.0123456789";
-  const bool glued = keyword.size() > 1 && std::string_view("vVfF").find(keyword[0]) != std::string_view::npos &&
-                     kNumber.find(keyword[1]) != std::string_view::npos;
-  std::size_t numbers = is_number_or_corner(keyword) || glued ? 1 : 0;
-  for (std::string_view word = text.word(); !word.empty(); word = text.word()) {
-    if (!is_number_or_corner(word)) return false;
-    ++numbers;
-  }
-  return numbers >= 3;
+  constexpr std::string_view kSeparators = ",;:=()[]{}\"'|";
+  std::size_t numbers = 0, others = 0;
+  const auto count = [&](std::string_view word) {
+    while (!word.empty()) {
+      const std::size_t size = std::min(word.find_first_of(kSeparators), word.size());
+      if (size > 0) is_number_or_corner(word.substr(0, size)) ? ++numbers : ++others;
+      word.remove_prefix(std::min(size + 1, word.size()));
+    }
+  };
+  count(keyword);
+  for (std::string_view word = text.word(); !word.empty() && others <= 1; word = text.word()) count(word);
+  const bool like_v_or_f = std::string_view("vVfF").find(keyword[0]) != std::string_view::npos;
+  return others <= 1 && numbers >= (like_v_or_f ? 2 : 3);
 }
 
 void pass_other(LineReader& text, std::string_view keyword, MeshReport& report) {
   if (std::ranges::find(kHarmless, keyword) != kHarmless.end()) return;
   const std::size_t line = text.line();
+  const bool surface = std::ranges::find(kSurfaces, keyword) != kSurfaces.end();
   if (keyword == "call") text.fail("the statement 'call' asks for another file, which is not read");
-  if (looks_like_data(text, keyword))
+  if (!surface && looks_like_data(text, keyword))
     text.fail(line, "expected v, f or another statement, found " + quoted(keyword) + " before numbers");
   if (report.unknown_statements++ == 0) report.first_unknown = quoted(keyword) + " in line " + std::to_string(line);
 }

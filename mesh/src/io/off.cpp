@@ -113,7 +113,12 @@ Vector3 read_vertex(LineReader& text, bool homogeneous) {
   const double x = text.number("a coordinate");
   const double y = text.number("a coordinate");
   const double z = text.number("a coordinate");
-  return Vector3(x, y, z) / (homogeneous ? text.number("a fourth coordinate") : 1.0);
+  const double divisor = homogeneous ? text.number("a fourth coordinate") : 1.0;
+  for (std::string_view word = text.word(); !word.empty(); word = text.word()) {
+    double ignored = 0;
+    if (!parse_number(word, ignored)) text.fail_expected("a number or the end of the line", word);
+  }
+  return Vector3(x, y, z) / divisor;
 }
 
 // What follows the corners on their line is a colour. Not so where the corners go over several

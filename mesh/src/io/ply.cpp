@@ -243,6 +243,13 @@ class BodyReader {
   std::size_t strip_length_ = 0;
 };
 
+// Copied as text to a system whose lines end with CR LF: then there are more bytes than the header counts.
+bool was_copied_as_text(std::string_view bytes) {
+  for (std::size_t i = 0; (i = bytes.find('\n', i)) != std::string_view::npos; ++i)
+    if (i == 0 || bytes[i - 1] != '\r') return false;
+  return true;
+}
+
 }  // namespace
 
 bool looks_like_ply(std::string_view bytes) {
@@ -259,8 +266,12 @@ PolygonSoup read_ply(std::string_view bytes, const std::string& name) {
     return BodyReader(TextSource(body), header, text, report).read();
   }
   const std::endian order = header.encoding == Encoding::kBigEndian ? std::endian::big : std::endian::little;
-  const ByteReader data(bytes, body_offset(text, bytes), order, name);
-  return BodyReader(BinarySource(data), header, text, {}).read();
+  const std::size_t body = body_offset(text, bytes);
+  const ByteReader data(bytes, body, order, name);
+  PolygonSoup soup = BodyReader(BinarySource(data), header, text, {}).read();
+  if (soup.report.left_over_bytes > 0 && was_copied_as_text(bytes))
+    throw MeshError(name + ": a binary PLY file that was copied as text: there is a CR before every LF");
+  return soup;
 }
 
 }  // namespace rectilin

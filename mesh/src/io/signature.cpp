@@ -59,9 +59,27 @@ bool begins_with(std::string_view text, std::string_view small_letters) {
                                                            [&](char expected, char c) { return lower(c) == expected; });
 }
 
+// Letters with a NUL beside each, and no mark at the beginning that says so.
+bool is_utf16_without_mark(std::string_view bytes) {
+  constexpr std::size_t kLooked = 32;
+  if (bytes.size() < kLooked) return false;
+  for (const std::size_t nul : {0, 1}) {
+    bool found = true;
+    for (std::size_t i = 0; i < kLooked && found; ++i) {
+      const auto byte = static_cast<unsigned char>(bytes[i]);
+      found = i % 2 == nul ? byte == 0 : byte >= '\t' && byte < 0x7F;
+    }
+    if (found) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string_view foreign_kind(std::string_view bytes) {
+  constexpr std::size_t kTarPlace = 257;
+  if (bytes.size() > kTarPlace && bytes.substr(kTarPlace).starts_with("ustar")) return "a TAR archive";
+  if (is_utf16_without_mark(bytes)) return "UTF-16 text, which is not supported";
   for (const Signature& s : kBinary)
     if (bytes.starts_with(s.beginning)) return s.kind;
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);

@@ -39,6 +39,7 @@ bool looks_like_obj(std::string_view bytes);  ///< by its first statement: weak 
 bool looks_like_ply(std::string_view bytes);
 bool looks_like_stl(std::string_view bytes);
 bool looks_like_glb(std::string_view bytes);
+bool looks_like_3mf(std::string_view bytes);
 /// Whether bytes are a binary STL file to the last byte: its first 80 bytes may look like anything.
 bool is_binary_stl(std::string_view bytes);
 

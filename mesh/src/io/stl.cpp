@@ -28,7 +28,11 @@ bool is_text(std::string_view bytes) {
   MeshReport ignored;
   LineReader text(bytes, {});
   if (!text.next_line() || !is_keyword(text.word(), "solid")) return false;
-  return without_padding(bytes, ignored).find('\0') == std::string_view::npos;
+  if (without_padding(bytes, ignored).find('\0') == std::string_view::npos) return true;
+  // Binary files may begin so, too; text that somebody has damaged goes on as text.
+  for (int i = 0; i < 64; ++i)
+    if (is_keyword(text.next_word(), "facet")) return true;
+  return false;
 }
 
 void append_corner(PolygonSoup& soup, const Vector3& position) {
@@ -125,6 +129,11 @@ class TextFile {
   }
 
   PolygonSoup read() {
+    if (const std::size_t nul = text_.rest().find('\0'); nul != std::string_view::npos) {
+      const std::string_view before = text_.rest().substr(0, nul);
+      text_.fail(1 + static_cast<std::size_t>(std::ranges::count(before, text_.line_ending())),
+                 "a NUL character within the text");
+    }
     bool in_solid = false;
     for (std::string_view word = keyword(); !word.empty(); word = keyword()) {
       if (in_solid && is_keyword(word, "facet")) {
@@ -148,7 +157,7 @@ class TextFile {
   std::string_view keyword() {
     const std::string_view word = text_.next_word();
     if (is_keyword(word, "outer")) {
-      if (is_keyword(ahead(), "loop")) text_.next_word();
+      pass_if([](std::string_view next) { return is_keyword(next, "loop"); });
       return word;
     }
     if (!is_keyword(word, "end")) return word;
@@ -162,6 +171,15 @@ class TextFile {
   std::string_view ahead() const {
     LineReader copy = text_;
     return copy.next_word();
+  }
+
+  // Passes over the next word if it is one of those.
+  template <class Is>
+  bool pass_if(const Is& is) {
+    LineReader behind = text_;
+    if (!is(behind.next_word())) return false;
+    text_ = behind;
+    return true;
   }
 
   // The rest of the line is a name, but for what can only be the next facet, the end or the next solid, where all
@@ -195,25 +213,35 @@ class TextFile {
   }
 
   void read_facet() {
-    if (is_keyword(ahead(), "normal")) {
-      text_.next_word();
-      for (int i = 0; i < 3 && !begins_corners(ahead()); ++i) text_.next_word();  // whatever it says
-    }
-    const std::size_t first = soup_.vertices.size();
+    const auto is_normal = [](std::string_view word) { return is_keyword(word, "normal"); };
+    const auto is_part = [](std::string_view word) { return !begins_corners(word); };  // whatever it says
+    int parts = 0;
+    if (pass_if(is_normal))
+      while (parts < 3 && pass_if(is_part)) ++parts;
+    const std::size_t before = soup_.ends.size();
     while (true) {
       const std::string_view word = keyword();
       if (is_keyword(word, "vertex")) {
         read_vertices();
       } else if (is_keyword(word, "endfacet")) {
         break;
+      } else if (is_keyword(word, "endloop")) {
+        close_loop();
       } else if (word.empty()) {
         text_.fail("the file ends within a facet");
-      } else if (!is_keyword(word, "outer") && !is_keyword(word, "outerloop") && !is_keyword(word, "endloop")) {
+      } else if (!is_keyword(word, "outer") && !is_keyword(word, "outerloop")) {
         text_.fail_expected("a vertex or endfacet", word);
       }
     }
+    if (corners_since_loop() > 0 || soup_.ends.size() == before) close_loop();
+  }
+
+  std::size_t corners_since_loop() const { return soup_.corners.size() - (soup_.ends.empty() ? 0 : soup_.ends.back()); }
+
+  // Each loop is a polygon: a facet has one as a rule.
+  void close_loop() {
+    soup_.report.odd_facets += corners_since_loop() != 3;
     soup_.close_polygon();
-    soup_.report.odd_facets += soup_.vertices.size() - first != 3;
   }
 
   static bool begins_corners(std::string_view word) {

@@ -67,6 +67,7 @@ class Package {
     const Affine3d to_metres(Eigen::Scaling(metres_));
     for_each_item([&](PLib3MFBase* object, const Affine3d& transform) { place(object, to_metres * transform); });
     soup_.scene.metres_per_unit = metres_;
+    count_unplaced();
     return std::move(soup_);
   }
 
@@ -79,6 +80,16 @@ class Package {
     check(result, otherwise);
     if (!handle) fail(otherwise);
     return handle;
+  }
+
+  void count_unplaced() {
+    const Handle meshes =
+        made([&](auto** out) { return lib3mf_model_getmeshobjects(model_.get(), out); }, "its objects are missing");
+    for (BOOL more = 0; lib3mf_resourceiterator_movenext(meshes.get(), &more) == 0 && more;) {
+      const Handle mesh = made([&](auto** out) { return lib3mf_resourceiterator_getcurrent(meshes.get(), out); },
+                               "an object is missing");
+      soup_.scene.unplaced += !costs_.contains(id_of(mesh.get())) && counts_of(mesh.get()).second > 0;
+    }
   }
 
   static Affine3d affine(const MODELTRANSFORM& transform) {
@@ -204,6 +215,10 @@ class Package {
 };
 
 }  // namespace
+
+bool looks_like_3mf(std::string_view bytes) {
+  return bytes.starts_with("PK\x03\x04") && bytes.find("3D/3dmodel.model") != std::string_view::npos;
+}
 
 PolygonSoup read_3mf(std::string_view bytes, const std::string& name) {
   check_3mf_parts(bytes, name);

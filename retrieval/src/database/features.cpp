@@ -12,6 +12,7 @@
 #include "rectilin/base/fnv1a.h"
 #include "rectilin/base/journal.h"
 #include "rectilin/base/version.h"
+#include "rectilin/mesh/mesh_report.h"
 #include "rectilin/mesh/source.h"
 
 namespace rectilin::retrieval {
@@ -67,6 +68,7 @@ struct Source {
   DescriptorPointer descriptor;
   std::vector<Signature> signatures;
   std::vector<double> seconds;
+  std::vector<std::string> left_out;  ///< of each model, by its reader
   std::unique_ptr<Journal> journal;
 
   Source(const std::string& text, const Collection& collection, const std::vector<std::string>& digests,
@@ -75,6 +77,7 @@ struct Source {
     const std::size_t n = collection.files.size();
     signatures.resize(n);
     seconds.resize(n);
+    left_out.resize(n);
     const std::string full = full_spec(text);
     const std::string key = hash_text(Fnv1a().add(full).add(version()).value());
     const fs::path file = folder / (Spec::parse(text).name + "-" + key + ".jsonl");
@@ -87,6 +90,7 @@ struct Source {
       if (model == number.end() || line.value("digest", "") != digests[model->second]) continue;
       signatures[model->second] = from_hexadecimal(line.value("signature", ""), descriptor->bytes());
       seconds[model->second] = line.value("seconds", 0.0);
+      left_out[model->second] = line.value("left_out", "");
     }
     journal = std::make_unique<Journal>(file);
     if (lines.empty()) journal->append({{"descriptor", full}, {"bytes", descriptor->bytes()}, {"version", version()}});
@@ -95,6 +99,7 @@ struct Source {
 
 struct Described {
   std::vector<std::pair<Signature, double>> made;  ///< for each source; no bytes if it was there already
+  std::string left_out;
 };
 
 }  // namespace
@@ -126,8 +131,10 @@ Features compute_features(const Collection& collection, const std::vector<std::s
   Features features;
   const auto work = [&](std::size_t k) {
     const std::size_t i = todo[k];
-    const Model model(load_mesh(collection.files[i]).mesh);
+    LoadedMesh loaded = load_mesh(collection.files[i]);
+    const Model model(std::move(loaded.mesh));
     Described described;
+    described.left_out = summary(loaded.report);
     for (const Source& source : sources) {
       described.made.emplace_back();
       if (!source.signatures[i].empty()) continue;
@@ -147,15 +154,22 @@ Features compute_features(const Collection& collection, const std::vector<std::s
     for (std::size_t s = 0; s < sources.size(); ++s) {
       auto& [signature, seconds] = outcome.value->made[s];
       if (signature.empty()) continue;
-      sources[s].journal->append({{"model", collection.classes.models[i]},
-                                  {"digest", digests[i]},
-                                  {"seconds", seconds},
-                                  {"signature", hexadecimal(signature)}});
+      Json line = {{"model", collection.classes.models[i]},
+                   {"digest", digests[i]},
+                   {"seconds", seconds},
+                   {"signature", hexadecimal(signature)}};
+      if (!outcome.value->left_out.empty()) line["left_out"] = outcome.value->left_out;
+      sources[s].journal->append(line);
+      sources[s].left_out[i] = outcome.value->left_out;
       sources[s].signatures[i] = std::move(signature);
       sources[s].seconds[i] = seconds;
     }
   };
   features.complete = for_each_in_order<Described>(names, work, deliver, control) == names.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto found = std::ranges::find_if(sources, [&](const Source& s) { return !s.left_out[i].empty(); });
+    if (found != sources.end()) features.losses.push_back(collection.files[i] + ": " + found->left_out[i]);
+  }
   for (Source& source : sources) {
     double sum = 0;
     for (const double seconds : source.seconds) sum += seconds;

@@ -1,10 +1,10 @@
 #include "rectilin/retrieval/classification.h"
 
 #include <charconv>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <unordered_map>
+
+#include "rectilin/base/whole_file.h"
 
 namespace rectilin::retrieval {
 namespace {
@@ -107,12 +107,7 @@ Classification parse_classification(std::string_view text, const std::string& na
 }
 
 Classification read_classification(const std::filesystem::path& file) {
-  if (std::filesystem::is_directory(file)) throw std::runtime_error(file.string() + ": is a folder");
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (in) text << in.rdbuf();
-  if (!in) throw std::runtime_error(file.string() + ": cannot be read");
-  return parse_classification(text.str(), file.string());
+  return parse_classification(read_whole_file(file), file.string());
 }
 
 }  // namespace rectilin::retrieval

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "rectilin/base/system_reason.h"
 #include "rectilin/base/whole_file.h"
 
 namespace rectilin::retrieval {
@@ -28,9 +29,9 @@ void write_matrix(const std::filesystem::path& file, const DistanceMatrix& matri
 }
 
 DistanceMatrix read_matrix(const std::filesystem::path& file, std::size_t size) {
-  if (std::filesystem::is_directory(file)) throw std::runtime_error(file.string() + ": is a folder");
+  if (const std::error_code error = why_unreadable(file))
+    throw std::runtime_error(file.string() + ": " + system_reason(error));
   std::ifstream in(file, std::ios::binary | std::ios::ate);
-  if (!in) throw std::runtime_error(file.string() + ": cannot be read");
   const auto bytes = static_cast<std::size_t>(in.tellg());
   if (bytes != size * size * 4)
     throw std::runtime_error(file.string() + ": has " + std::to_string(bytes) + " bytes; the distances of " +

@@ -43,7 +43,11 @@ TestMesh make_test_mesh(Mesh mesh, std::string name) {
   return {std::move(name), std::make_shared<const Mesh>(std::move(mesh)), std::move(objective), best};
 }
 
-TestMesh make_test_mesh(const std::string& source) { return make_test_mesh(load_mesh(source).mesh, source); }
+TestMesh make_test_mesh(const std::string& source, LossLog* losses) {
+  LoadedMesh loaded = load_mesh(source);
+  if (losses != nullptr) losses->add(source, loaded.report);
+  return make_test_mesh(std::move(loaded.mesh), source);
+}
 
 std::string posed(const std::string& shape, Random& random) {
   const char separator = shape.find('?') == std::string::npos ? '?' : '&';

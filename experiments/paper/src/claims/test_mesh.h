@@ -6,6 +6,7 @@
 
 #include "rectilin/base/rotation.h"
 #include "rectilin/measure/projected_area.h"
+#include "rectilin/mesh/mesh_report.h"
 
 namespace rectilin::paper::claims {
 
@@ -39,8 +40,8 @@ struct TestMesh {
   const AreaVectors& vectors() const { return objective->vectors(); }
 };
 
-/// Loads a mesh and measures it. Throws what load_mesh() and area_vectors() throw.
-TestMesh make_test_mesh(const std::string& source);
+/// Throws what load_mesh() and area_vectors() throw.
+TestMesh make_test_mesh(const std::string& source, LossLog* losses = nullptr);
 TestMesh make_test_mesh(Mesh mesh, std::string name);
 
 /// The source of a built-in shape ("box?x=2") in a random pose.

@@ -84,6 +84,7 @@ class Run {
   Validation go() {
     test_shapes();
     test_meshes();
+    validation_.losses = losses_.lines();
     validation_.complete = !settings_.stop.stop_requested();
     for (std::size_t i = 0; i < jobs_.size(); ++i)
       validation_.results.push_back(tallies_[i].conclude(*jobs_[i].claim, jobs_[i].test->quantile));
@@ -121,8 +122,8 @@ class Run {
                                 {.stop = settings_.stop});
   }
 
-  Findings test_mesh(const std::string& source) const {
-    const TestMesh mesh = make_test_mesh(source);
+  Findings test_mesh(const std::string& source) {
+    const TestMesh mesh = make_test_mesh(source, &losses_);
     Findings findings;
     for (const Job& job : jobs_)
       findings.push_back(job.test->on_mesh ? job.test->on_mesh(mesh, stream(settings_.seed, job.claim->id, source))
@@ -141,6 +142,7 @@ class Run {
   std::vector<std::string> sources_;
   std::vector<Tally> tallies_;
   Validation validation_;
+  LossLog losses_;
   std::size_t done_ = 0, steps_ = 0;
   std::mutex mutex_;
 };

@@ -59,7 +59,7 @@ struct Timing {
     for (const auto& [size, source] : chosen) {
       if (context.stop.stop_requested()) throw Stopped();
       if (context.on_progress) context.on_progress(times.size(), chosen.size(), source);
-      times[size] = time(area_vectors(load_mesh(source).mesh));
+      times[size] = time(area_vectors(context.load(source)));
       result.data.push_back({{"origin", source}, {"directions", size}, {"seconds", times[size]}});
     }
     report::NamedPlot plot = curves(times, context.meshes.empty());
@@ -89,7 +89,7 @@ struct Timing {
     std::map<int, std::pair<std::size_t, std::string>> of_size;  // by quarters of a power of ten
     for (const std::string& source : context.meshes) {
       try {
-        const std::size_t size = area_vectors(load_mesh(source).mesh).size();
+        const std::size_t size = area_vectors(context.load(source)).size();
         of_size.try_emplace(static_cast<int>(4 * std::log10(static_cast<double>(size))), size, source);
       } catch (const MeshError& e) {
         errors.push_back(e.what());

@@ -40,7 +40,7 @@ struct Ranking {
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t i = count == 1 ? 0 : k * (samples.size() - 1) / (count - 1);
       samples[i].pictured = pose.of(samples[i].origin);
-      results[i].picture = thumbnail(samples[i].make(), *samples[i].pictured);
+      results[i].picture = thumbnail(samples[i].mesh(context), *samples[i].pictured);
     }
     result.says = std::to_string(samples.size()) + " meshes ranked by R, from " + samples.front().label + " (" +
                   four_digits(results.front().result.value) + ") to " + samples.back().label + " (" +

@@ -51,7 +51,7 @@ struct Gallery {
     std::vector<report::SheetCell> cells;
     for (std::size_t i = 0; i < samples.size(); ++i) {
       if (!results[i].error.empty()) continue;
-      const Mesh mesh = samples[i].make();
+      const Mesh mesh = samples[i].mesh(context);
       const Eigen::Matrix3d pose = upright(results[i].result.rotation, tilt);
       cells.push_back({results[i].picture, samples[i].label, "as it comes"});
       cells.push_back({render::thumbnail(turned(mesh, pose), Up::kZ), interval(results[i]),

@@ -20,7 +20,7 @@ constexpr double kThinnest = 0.98;  // a step is kept if it lowers the gap by th
 
 Trajectory follow(const Sample& sample, const ExperimentContext& context) {
   const Rectilinearity measured =
-      measure(sample.make(), {.certify = {.gap = context.gap}, .run = {.stop = context.stop}});
+      measure(sample.mesh(context), {.certify = {.gap = context.gap}, .run = {.stop = context.stop}});
   if (context.stop.stop_requested()) throw Stopped();
   Trajectory path{sample.label, {}, {}, {}, *measured.proof};
   double last = std::numeric_limits<double>::infinity();

@@ -72,16 +72,16 @@ struct Accuracy {
   };
 
   Outcome measure(const std::string& source, std::size_t index, const std::string& group,
-                  const std::vector<pose::PoseMethod>& compared, std::uint64_t seed) const {
+                  const std::vector<pose::PoseMethod>& compared, const ExperimentContext& context) const {
     Outcome outcome;
-    const Mesh given = load_mesh(source).mesh;
+    const Mesh given = context.load(source);
     double roundest = kRound;
     for (int k = 0; k < 3; ++k)
       if (const double found = pose::unroundness(given, Vector3::Unit(k)); found < roundest)
         roundest = found, outcome.round_axis = k;
     outcome.poses.resize(compared.size());
     outcome.chosen.resize(compared.size());
-    Random random = Random(seed).fork(index);
+    Random random = Random(context.seed).fork(index);
     for (int turn = 0; turn < turns; ++turn) {
       const Rotation turned = random_rotation(random);
       Mesh mesh = given;
@@ -147,7 +147,7 @@ struct Accuracy {
     const std::size_t done = for_each_in_order<Outcome>(
         sources,
         [&](std::size_t i) {
-          return measure(sources[i], i, class_of(sources[i], groups).value_or("all"), finders, context.seed);
+          return measure(sources[i], i, class_of(sources[i], groups).value_or("all"), finders, context);
         },
         deliver, context.loop());
     if (done < sources.size()) throw Stopped();

@@ -16,9 +16,9 @@ namespace {
 constexpr double kTolerance = 1e-5;  // relative tolerance of silhouette areas
 
 PosedModel pose_one(const std::string& title, const std::string& source, const std::vector<std::string>& methods,
-                    bool silhouettes, Up up) {
+                    bool silhouettes, Up up, const ExperimentContext& context) {
   PosedModel model{title, source, "", {}};
-  const Mesh mesh = load_mesh(source).mesh;
+  const Mesh mesh = context.load(source);
   const pose::SummedSilhouette objective(mesh, kTolerance);
   for (const std::string& method : methods) {
     PosedModel::ByMethod of{method, pose::pose_methods().make(method)(mesh), 0, "", {}};
@@ -64,7 +64,7 @@ std::vector<PosedModel> pose_all(const Defaults& sources, const std::vector<std:
   for (const auto& [title, source] : sources) names.push_back(source);
   std::vector<PosedModel> models;
   const std::size_t done = for_each_in_order<PosedModel>(
-      names, [&](std::size_t i) { return pose_one(sources[i].first, names[i], methods, silhouettes, up); },
+      names, [&](std::size_t i) { return pose_one(sources[i].first, names[i], methods, silhouettes, up, context); },
       [&](std::size_t i, Outcome<PosedModel>&& outcome) {
         models.push_back(outcome.value ? std::move(*outcome.value)
                                        : PosedModel{sources[i].first, names[i], outcome.error, {}});

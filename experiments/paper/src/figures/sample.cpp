@@ -14,7 +14,7 @@ namespace {
 
 Measured measured(const Sample& sample, const ExperimentContext& context) {
   Measured result;
-  const Mesh mesh = sample.make();
+  const Mesh mesh = sample.mesh(context);
   if (sample.pictured) result.picture = thumbnail(mesh, *sample.pictured);
   result.result = measure(mesh, {.certify = {.gap = context.gap}, .run = {.stop = context.stop}});
   if (result.result.run.outcome == RunRecord::Outcome::kStopped) throw Stopped();
@@ -23,9 +23,7 @@ Measured measured(const Sample& sample, const ExperimentContext& context) {
 
 }  // namespace
 
-Sample sample(std::string label, const std::string& source) {
-  return {std::move(label), source, [source] { return load_mesh(source).mesh; }};
-}
+Sample sample(std::string label, const std::string& source) { return {std::move(label), source, {}}; }
 
 void UpAxis::bind(Parameters& parameters) {
   parameters.choice("up", which, {{"auto", Which::kAuto}, {"y", Which::kY}, {"z", Which::kZ}},
@@ -53,7 +51,7 @@ std::vector<Model> load_models(const ExperimentContext& context, const Defaults&
   std::vector<Model> models;
   for (const auto& [title, source] : wanted) {
     try {
-      models.push_back({title, source, std::make_shared<const Mesh>(load_mesh(source).mesh)});
+      models.push_back({title, source, std::make_shared<const Mesh>(context.load(source))});
     } catch (const MeshError& e) {
       errors.push_back(e.what());
     }

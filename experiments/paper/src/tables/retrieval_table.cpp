@@ -125,6 +125,7 @@ ScoredTable score(const std::vector<Row>& rows, const TableSettings& settings, c
                                                              {context.stop, context.on_progress});
   if (!features.complete) throw Stopped();
   table.errors = features.errors;
+  for (const std::string& loss : features.losses) context.losses->add_line(loss);
   std::vector<bool> kept(collection.files.size(), true);
   for (const std::string& model : features.failed)
     kept[static_cast<std::size_t>(std::ranges::find(collection.classes.models, model) -

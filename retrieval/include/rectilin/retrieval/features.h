@@ -23,6 +23,7 @@ struct Features {
   std::map<std::string, FeatureTable> tables;  ///< by the descriptor's text
   std::vector<std::string> failed;             ///< models, in order
   std::vector<std::string> errors;             ///< a line for each of them
+  std::vector<std::string> losses;             ///< a line for each mesh that is not all that its file holds
   bool complete = false;                       ///< false if it was stopped
 };
 

@@ -70,6 +70,7 @@ struct Evaluation {
   std::vector<std::string> missing;        ///< models of the .cla without a file
   std::vector<std::string> failed;         ///< models whose mesh failed
   std::vector<std::string> errors;         ///< a line for each of those
+  std::vector<std::string> losses;         ///< a line for each mesh that is not all that its file holds
   std::vector<std::string> empty_classes;  ///< among the models evaluated
   std::vector<std::string> small_classes;  ///< of one or two models: they are in no mean
   std::vector<Result> results;             ///< in the contestants' order

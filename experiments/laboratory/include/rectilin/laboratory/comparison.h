@@ -12,7 +12,9 @@
 
 #include "rectilin/laboratory/plan.h"
 #include "rectilin/measure/area_vectors.h"
+#include "rectilin/mesh/mesh_io.h"
 #include "rectilin/optim/objective.h"
+#include "rectilin/report/plot.h"
 
 namespace rectilin::laboratory {
 
@@ -28,11 +30,13 @@ struct ComparisonProgress {
 struct ComparedMesh {
   AreaVectors vectors;
   std::size_t faces = 0;
-  std::string digest;  ///< tells whether the mesh has changed when a comparison is resumed
+  std::string digest;         ///< tells another mesh from this one when a comparison goes on
+  std::string left_out = {};  ///< what the reader left out: summary() of its report
 };
 
 /// Loads a mesh with load_mesh() and digests it with mesh_digest().
 ComparedMesh load_compared_mesh(const std::string& source);
+ComparedMesh compared_mesh(const LoadedMesh& loaded);
 
 struct ComparisonSettings {
   std::stop_token stop = {};
@@ -41,14 +45,18 @@ struct ComparisonSettings {
   /// Loads the mesh of a name in the plan; called once for each, one at a time. If it throws, that is the error of
   /// this mesh.
   std::function<ComparedMesh(const std::string& name)> load = load_compared_mesh;
-  /// Makes the objective of a mesh, if Plan::objective is not kRectilinearity; called like `load`.
+  /// Makes the objective of a mesh if Plan::objective is another than kRectilinearity; called right after `load`.
   std::function<std::shared_ptr<const Objective>(const std::string& name)> objective = {};
+  /// Writes the report, too, when nothing is left to run: see write_report().
+  bool report = false;
 };
 
 struct ComparisonOutcome {
   bool complete = false;  ///< all runs of the plan are done
   std::size_t failed_runs = 0;
   std::vector<std::string> mesh_errors;  ///< one line for each mesh that could not be measured
+  std::vector<std::string> losses;       ///< one line for each mesh that is not all that its file holds
+  PictureTroubles pictures;              ///< of the report
 };
 
 /// Does the runs of `plan` that are not yet in `folder`, which is made if necessary and afterwards holds

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "rectilin/base/folder_lock.h"
 #include "rectilin/report/plot.h"
 
 namespace rectilin::laboratory {
@@ -13,4 +14,7 @@ namespace rectilin::laboratory {
 /// cannot be written, or if another program is writing there.
 report::PictureTroubles write_report(const std::filesystem::path& folder);
 
-}  // namespace rectilin::laboratory
+/// The same for who holds the folder already.
+PictureTroubles write_report(const std::filesystem::path& folder, const FolderLock& held);
+
+}  // namespace rectilin

@@ -73,6 +73,7 @@ struct ValidationSettings {
 struct Validation {
   std::vector<ClaimResult> results;  ///< one for each claim, in the ledger's order
   std::vector<std::string> errors;   ///< a line for each source that could not be read
+  std::vector<std::string> losses;   ///< a line for each mesh that is not all that its file holds
   bool complete = true;              ///< false after a stop
 
   /// Did every claim hold that is expected to?
