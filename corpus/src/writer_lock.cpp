@@ -23,7 +23,10 @@ constexpr std::chrono::milliseconds kPause(50);
 WriterLock::WriterLock(const std::filesystem::path& store)
     : file_(open((store.string() + "-lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
   if (file_ < 0) throw std::runtime_error(store.string() + ": cannot be written: " + system_reason(errno));
-  if (flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    if (flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+    std::this_thread::sleep_for(kPause);
+  }
   close(file_);
   throw std::runtime_error(store.string() + ": another program is writing to it");
 }
