@@ -6,8 +6,10 @@
 #include "methods.h"
 #include "rectilin/optim/registry.h"
 #include "rectilin/optim/run_record.h"
+#include "rectilin/pose/convex_hull.h"
 #include "rectilin/pose/summed_silhouette.h"
 #include "rectilin/render/rasterizer.h"
+#include "roundness_of.h"
 #include "working_frame.h"
 
 namespace rectilin::pose {
@@ -112,6 +114,7 @@ Pose silhouette_pose(const Surface& given, const SilhouetteOptions& options) {
   choose(pose, 0);
   pose.reason = two_figures("silhouettes %.6f of the surface, %.6f where the search began", evaluator.incumbent().value,
                             std::min(values[0], values[1]));
+  note_roundness(pose, given, convex_hull(given.mesh));
   return pose;
 }
 

@@ -21,7 +21,8 @@ struct ScoredPose {
   /// nearest axis of the frame.
   double revolved_angle = 0;
   double confidence = 1;
-  Rotation frame;  ///< what was found, as rows
+  bool unique = true;  ///< by the method's own account
+  Rotation frame;      ///< what was found, as rows
 };
 
 /// A share with the interval that Wilson (1927) gives it at 95 %.
@@ -44,6 +45,14 @@ Share surer_half(std::vector<ScoredPose> poses, double degrees, Rule rule);
 /// Pairs of different models of one class whose frames are within so many degrees of each other, as seen from the
 /// models' own axes: a method may be consistent and wrong. Poses of equal rank among those of their model are compared.
 Share consistency(const std::vector<ScoredPose>& poses, double degrees);
+
+/// Does a pose turn with its model? Pairs of turns of one model that are both called unique: those whose frames, as
+/// seen from the model's own axes, are less than a millionth of a radian apart; and the widest angle of any pair.
+struct Steadiness {
+  Share same;
+  double widest = 0;  ///< radians
+};
+Steadiness steadiness(const std::vector<ScoredPose>& poses);
 
 /// The class of each model in a classification, by the model's name.
 std::map<std::string, std::string> classes_by_model(const retrieval::Classification& classification);
