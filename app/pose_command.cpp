@@ -226,7 +226,8 @@ int pose_meshes(const PoseOptions& options) {
     printer.print(sources[i], *outcome.value);
     if (options.sheet.empty() || cells.size() >= 3 * kSheetLimit) return;
     const pose::Pose& pose = outcome.value->pose;
-    const std::array<std::string, 3> values = {pose.chosen, uniqueness(*outcome.value), fixed(pose.confidence, 3)};
+    const std::array<std::string, 3> values = {pose.chosen, "unique? " + uniqueness(*outcome.value),
+                                               "confidence " + fixed(pose.confidence, 3)};
     for (std::size_t k = 0; k < 3; ++k)
       cells.push_back(
           {outcome.value->pictures[k], fs::path(sources[i]).filename().string() + " from " + "xyz"[k], values[k]});

@@ -7,6 +7,7 @@
 
 #include "bench.h"
 #include "inputs.h"
+#include "plain_picture.h"
 #include "rectilin/mesh/source.h"
 #include "rectilin/render/rasterizer.h"
 #include "rectilin/render/silhouette_area.h"
@@ -20,37 +21,6 @@ using render::DepthImage;
 using render::ViewSphere;
 
 constexpr int kSize = 256;
-
-/// What anybody would write: barycentric coordinates of every pixel in a triangle's box, one view after the other.
-DepthImage plain_picture(const Mesh& mesh, const Ball& ball, const Rotation& frame) {
-  DepthImage image{kSize, std::vector<std::uint16_t>(kSize * kSize, 0)};
-  std::vector<Vector3> points;
-  for (const Vector3& p : mesh.vertices) {
-    const Vector3 q = frame.matrix() * (p - ball.centre) / ball.radius;
-    points.emplace_back((q.x() + 1) * kSize / 2, (1 - q.y()) * kSize / 2, 32768 + 32767 * q.z());
-  }
-  for (const auto& [ia, ib, ic] : mesh.triangles) {
-    const Vector3 &a = points[ia], &b = points[ib], &c = points[ic];
-    const auto side = [](const Vector3& p, const Vector3& q, double x, double y) {
-      return (q.x() - p.x()) * (y - p.y()) - (q.y() - p.y()) * (x - p.x());
-    };
-    const double area = side(a, b, c.x(), c.y());
-    if (area == 0) continue;
-    const int left = std::max(0, static_cast<int>(std::ceil(std::min({a.x(), b.x(), c.x()}) - 0.5)));
-    const int right = std::min(kSize - 1, static_cast<int>(std::floor(std::max({a.x(), b.x(), c.x()}) - 0.5)));
-    const int top = std::max(0, static_cast<int>(std::ceil(std::min({a.y(), b.y(), c.y()}) - 0.5)));
-    const int bottom = std::min(kSize - 1, static_cast<int>(std::floor(std::max({a.y(), b.y(), c.y()}) - 0.5)));
-    for (int y = top; y <= bottom; ++y)
-      for (int x = left; x <= right; ++x) {
-        const double wa = side(b, c, x + 0.5, y + 0.5) / area, wb = side(c, a, x + 0.5, y + 0.5) / area;
-        const double wc = 1 - wa - wb;
-        if (wa < 0 || wb < 0 || wc < 0) continue;
-        std::uint16_t& pixel = image.depth[static_cast<std::size_t>(y * kSize + x)];
-        pixel = std::max(pixel, static_cast<std::uint16_t>(wa * a.z() + wb * b.z() + wc * c.z()));
-      }
-  }
-  return image;
-}
 
 void views(benchmark::State& state, const std::vector<std::string>& sources) {
   const auto limit = threads(1);
@@ -69,7 +39,7 @@ void views(benchmark::State& state, const std::vector<std::string>& sources) {
       });
       plain_seconds += plain.time([&] {
         for (const Vector3& d : sphere.directions())
-          seen += plain_picture(mesh, ball, render::frame_towards(d)).depth[kSize * kSize / 2];
+          seen += plain_picture(mesh, ball, render::frame_towards(d), kSize).depth[kSize * kSize / 2];
       });
     }
   benchmark::DoNotOptimize(seen);
@@ -96,8 +66,9 @@ void silhouettes(benchmark::State& state, const std::vector<std::string>& source
         const double seconds = ours.time([&] { benchmark::DoNotOptimize(silhouette.area(d, tolerance).lower); });
         our_seconds += seconds;
         worst = std::max(worst, seconds);
-        plain_seconds += plain.time(
-            [&] { seen += static_cast<double>(plain_picture(mesh, ball, render::frame_towards(d)).covered_pixels()); });
+        plain_seconds += plain.time([&] {
+          seen += static_cast<double>(plain_picture(mesh, ball, render::frame_towards(d), kSize).covered_pixels());
+        });
         areas += 1;
       }
     }

@@ -1,17 +1,23 @@
-// The composite pose: of many frames the one with little projected area whose planes are nearly planes of symmetry.
+// The composite pose: of many frames the one with little projected area whose planes are nearly planes of symmetry and
+// one of whose axes goes through a flat side.
 //
-//     J = P/P_min + w (F1 + F2)
+//     J = P/P_min + w (f(F1) + f(F2)) - v B,   f(F) = sqrt(F + 0.01)
 //
 // P is the summed projected area, P_min the least over the candidates, F1 and F2 the smallest mirror defects of the
-// frame's three planes. Faces that meet at right angles speak in the first term, symmetry in the second; most objects
-// have one plane of symmetry and many have two, a third says more about an object's ends than about its axes.
-// Candidates: principal axes, the certified rectilinear pose, and for each of some mirror planes found by search three
-// turns about its normal: least projected area of the mesh, the same of its convex hull, principal axes in the plane.
+// frame's three planes, B the largest share of the hull's outline along an axis that is flat. Faces that meet at right
+// angles speak in the first term, symmetry in the second; most objects have one plane of symmetry and many have two, a
+// third says more about an object's ends than about its axes. Defects are squares of distances, hence the root; what is
+// added keeps samples from deciding between planes that are both nearly perfect. The third term is the ground that most
+// objects stand on.
+// Candidates: principal axes, the certified rectilinear pose, and for each of some mirror planes and flat sides found
+// by search three turns about its normal: least projected area of the mesh, the same of its convex hull, principal axes
+// in the plane.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 
+#include "bases.h"
 #include "frames.h"
 #include "methods.h"
 #include "mirror.h"
@@ -25,9 +31,11 @@ namespace {
 
 constexpr double kSame = 1e-4, kDistinct = 10 * std::numbers::pi / 180;  // radians
 constexpr double kRound = 0.02;                                          // bodies of revolution, see unroundness()
-constexpr double kUnsure = 0.02;  // a margin of J at which the confidence is one half
-constexpr double kTie = 1e-3;     // of J, between distinct frames: what samples can tell
-constexpr double kEqual = 1e-9;   // of J, between any frames: what rounding may decide
+constexpr double kUnsure = 0.02;   // a margin of J at which the confidence is one half
+constexpr double kSamples = 0.01;  // of a mirror defect: below, samples decide
+constexpr std::size_t kSides = 4;  // flat sides that frames are made from
+constexpr double kTie = 1e-3;      // of J, between distinct frames: what samples can tell
+constexpr double kEqual = 1e-9;    // of J, between any frames: what rounding may decide
 
 /// The turn about axis 2 of the frame that makes the in-plane moments diagonal.
 Rotation planar_principal_axes(const Surface& surface, const Rotation& frame) {
@@ -39,6 +47,7 @@ Rotation planar_principal_axes(const Surface& surface, const Rotation& frame) {
 struct Candidates {
   const Surface& surface;
   const MirrorDefect& defect;
+  const Bases& bases;
   std::vector<PoseCandidate> list = {};
 
   void add(std::string name, const Rotation& rotation) {
@@ -47,24 +56,35 @@ struct Candidates {
     PoseCandidate candidate;
     candidate.name = std::move(name);
     candidate.rotation = rotation;
-    for (int k = 0; k < 3; ++k) candidate.mirror_defects.push_back(defect.through_middle(rotation.axis(k)).defect);
+    candidate.flat_share = 0;
+    for (int k = 0; k < 3; ++k) {
+      candidate.mirror_defects.push_back(defect.through_middle(rotation.axis(k)).defect);
+      candidate.flat_share = std::max(*candidate.flat_share, bases.share(rotation.axis(k)));
+    }
     list.push_back(std::move(candidate));
   }
 };
 
-void add_turned(Candidates& candidates, const std::vector<MirrorPlane>& planes, const ProjectedArea& mesh,
-                const ProjectedArea& hull) {
+void add_turned(Candidates& candidates, const std::string& name, const std::vector<Vector3>& normals,
+                const ProjectedArea& mesh, const ProjectedArea& hull) {
   int number = 0;
-  for (const MirrorPlane& plane : planes) {
-    const Rotation frame = frame_about(plane.normal);
-    const std::string name = "mirror " + std::to_string(++number);
-    candidates.add(name + ", rectilinear", mesh.best_turn(frame, 2).rotation);
-    candidates.add(name + ", hull", hull.best_turn(frame, 2).rotation);
-    candidates.add(name + ", pca", planar_principal_axes(candidates.surface, frame));
+  for (const Vector3& normal : normals) {
+    const Rotation frame = frame_about(normal);
+    const std::string numbered = name + " " + std::to_string(++number);
+    candidates.add(numbered + ", rectilinear", mesh.best_turn(frame, 2).rotation);
+    candidates.add(numbered + ", hull", hull.best_turn(frame, 2).rotation);
+    candidates.add(numbered + ", pca", planar_principal_axes(candidates.surface, frame));
   }
 }
 
-void score(std::vector<PoseCandidate>& list, const ProjectedArea& objective, double weight) {
+std::vector<Vector3> normals_of(const std::vector<MirrorPlane>& planes) {
+  std::vector<Vector3> normals;
+  for (const MirrorPlane& plane : planes) normals.push_back(plane.normal);
+  return normals;
+}
+
+void score(std::vector<PoseCandidate>& list, const ProjectedArea& objective, const CompositeOptions& options) {
+  const auto softened = [](double defect) { return std::sqrt(defect + kSamples); };
   double least = std::numeric_limits<double>::infinity();
   for (PoseCandidate& c : list) {
     objective.values({&c.rotation, 1}, {&c.projected, 1});
@@ -73,7 +93,7 @@ void score(std::vector<PoseCandidate>& list, const ProjectedArea& objective, dou
   for (PoseCandidate& c : list) {
     std::vector<double> f = c.mirror_defects;
     std::ranges::sort(f);
-    c.score = c.projected / least + weight * (f[0] + f[1]);
+    c.score = c.projected / least + options.symmetry * (softened(f[0]) + softened(f[1])) - options.flat * *c.flat_share;
   }
   std::ranges::stable_sort(list, {}, &PoseCandidate::score);
 }
@@ -104,8 +124,9 @@ void judge(Pose& pose) {
   std::vector<double> f = best.mirror_defects;
   std::ranges::sort(f);
   char text[160];
-  std::snprintf(text, sizeof text, "J = %.4f with mirror defects %.3f and %.3f, the next frame %.4f", best.score, f[0],
-                f[1], next);
+  std::snprintf(text, sizeof text,
+                "J = %.4f with mirror defects %.3f and %.3f, %.2f of a side flat; the next frame %.4f", best.score,
+                f[0], f[1], best.flat_share.value_or(0), next);
   pose.reason = text;
 }
 
@@ -118,12 +139,15 @@ Pose composite_pose(const Surface& given, const CompositeOptions& options) {
   const MirrorDefect defect(surface, hull);
   const ProjectedArea mesh_area(area_vectors(surface.mesh)), hull_area(area_vectors(hull));
 
-  Candidates candidates{surface, defect};
+  const Bases bases(hull);
+  Candidates candidates{surface, defect, bases};
   candidates.add("rectilinear",
                  rectilinear_pose(surface, {.gap = options.gap, .cells = 20'000, .optima = false}).rotation);
   candidates.add("pca", pca_pose(surface).rotation);
-  add_turned(candidates, mirror_planes(defect, static_cast<std::size_t>(options.planes)), mesh_area, hull_area);
-  score(candidates.list, mesh_area, options.symmetry);
+  const std::vector<MirrorPlane> planes = mirror_planes(defect, static_cast<std::size_t>(options.planes));
+  add_turned(candidates, "mirror", normals_of(planes), mesh_area, hull_area);
+  add_turned(candidates, "side", bases.flattest(kSides), mesh_area, hull_area);
+  score(candidates.list, mesh_area, options);
 
   Pose pose;
   pose.candidates = std::move(candidates.list);

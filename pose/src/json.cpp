@@ -19,6 +19,7 @@ Json to_json(const PoseCandidate& candidate, double area) {
           {"silhouette_area", times(candidate.silhouette, area)},
           {"volume", times(candidate.volume, std::pow(area, 1.5))},
           {"mirror_defects", candidate.mirror_defects},
+          {"flat_share", number(candidate.flat_share)},
           {"score", number(candidate.score)}};
 }
 

@@ -41,6 +41,7 @@ void CpnOptions::bind(Parameters& table) {
 
 void CompositeOptions::bind(Parameters& table) {
   table.real("symmetry", symmetry, 0, 100, "weight of the mirror defects beside the projected area")
+      .real("flat", flat, 0, 100, "weight of flat sides to stand on")
       .integer("planes", planes, 1, 100, "mirror planes that frames are made from")
       .real("gap", gap, 0, 10, "width to which the rectilinearity is certified");
 }
@@ -90,7 +91,8 @@ const Factory<PoseMethod>& pose_methods() {
     add<SilhouetteOptions>(table, "silhouette", "least silhouettes of the mesh itself, by search", silhouette_pose);
     add<CpnOptions>(table, "cpn", "the paper's: PCA or rectilinear, whichever has the smaller three silhouettes",
                     cpn_pose);
-    add<CompositeOptions>(table, "composite", "the best of all by projected area and mirror symmetry", composite_pose);
+    add<CompositeOptions>(table, "composite", "the best of all by projected area, mirror symmetry and flat sides",
+                          composite_pose);
     return table;
   }();
   return methods;

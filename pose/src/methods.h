@@ -44,6 +44,7 @@ struct CpnOptions {
 
 struct CompositeOptions {
   double symmetry = 0.2;
+  double flat = 0.05;
   int planes = 8;
   double gap = 1e-4;
   void bind(Parameters& table);

@@ -7,9 +7,11 @@
 namespace rectilin::pose {
 namespace {
 
-/// Eigenvalues nearer to each other than this, relative to the largest, do not tell their axes apart: rounding of the
-/// sums turns axes by about 1e-15 over the difference.
-constexpr double kEqualValues = 1e-9;
+/// Two moments that differ by less, relative to the larger, do not say which way their axes point: the tessellation of
+/// a sphere or a cone may have decided. As in unroundness().
+constexpr double kCloseMoments = 0.02;
+
+bool close_moments(double larger, double smaller) { return larger - smaller <= kCloseMoments * larger; }
 
 }  // namespace
 
@@ -19,8 +21,7 @@ Pose principal_axes(const Eigen::Matrix3d& moments, const std::string& name) {
   for (int k = 0; k < 3; ++k) rows.row(k) = solver.eigenvectors().col(2 - k).transpose();
   Pose pose = single(name, frame_of(rows));
   const Eigen::Vector3d values = solver.eigenvalues().reverse();
-  const bool first = values[0] - values[1] <= kEqualValues * values[0],
-             last = values[1] - values[2] <= kEqualValues * values[0];
+  const bool first = close_moments(values[0], values[1]), last = close_moments(values[1], values[2]);
   pose.reason = "moments in the ratio 1 : " + std::to_string(values[1] / values[0]) + " : " +
                 std::to_string(std::max(values[2], 0.0) / values[0]);
   if (first && last) pose.uniqueness = Uniqueness::kNone;

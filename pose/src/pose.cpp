@@ -35,8 +35,12 @@ Pose single(std::string name, const Rotation& rotation) {
   Pose pose;
   pose.chosen = name;
   pose.rotation = rotation;
-  pose.candidates.push_back(
-      {.name = std::move(name), .rotation = rotation, .silhouette = {}, .volume = {}, .mirror_defects = {}});
+  pose.candidates.push_back({.name = std::move(name),
+                             .rotation = rotation,
+                             .silhouette = {},
+                             .volume = {},
+                             .mirror_defects = {},
+                             .flat_share = {}});
   return pose;
 }
 

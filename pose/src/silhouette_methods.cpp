@@ -6,8 +6,10 @@
 #include "methods.h"
 #include "rectilin/optim/registry.h"
 #include "rectilin/optim/run_record.h"
+#include "rectilin/pose/convex_hull.h"
 #include "rectilin/pose/summed_silhouette.h"
 #include "rectilin/render/rasterizer.h"
+#include "roundness_of.h"
 #include "working_frame.h"
 
 namespace rectilin::pose {
@@ -57,7 +59,9 @@ void inherit(Pose& pose, const Pose& from) {
 
 }  // namespace
 
-Pose cpn_pose(const Surface& surface, const CpnOptions& options) {
+Pose cpn_pose(const Surface& given, const CpnOptions& options) {
+  const Rotation work = working_frame(given);
+  const Surface surface = turned(given, work);
   const Pose pca = pca_pose(surface);
   const Pose rectilinear = rectilinear_pose(surface, {.gap = options.gap, .optima = false});
   Pose pose;
@@ -74,6 +78,8 @@ Pose cpn_pose(const Surface& surface, const CpnOptions& options) {
   pose.candidates[1].silhouette = pose.candidates[1].score = second;
   const bool take_pca = first < second * (options.pixels ? 1 : 1 - 1e-6);
   inherit(pose, take_pca ? pca : rectilinear);
+  for (PoseCandidate& c : pose.candidates) c.rotation = c.rotation * work;
+  for (Rotation& r : pose.alternatives) r = r * work;
   choose(pose, take_pca ? 0 : 1);
   pose.reason = two_figures("silhouettes %.4f of the surface by PCA, %.4f by rectilinearity", first, second);
   const double margin = std::abs(first - second) / std::max(first, second);
@@ -112,6 +118,7 @@ Pose silhouette_pose(const Surface& given, const SilhouetteOptions& options) {
   choose(pose, 0);
   pose.reason = two_figures("silhouettes %.6f of the surface, %.6f where the search began", evaluator.incumbent().value,
                             std::min(values[0], values[1]));
+  note_roundness(pose, given, convex_hull(given.mesh));
   return pose;
 }
 

@@ -44,6 +44,32 @@ expect 1 'line\.off: ' "$rectilin" pose --json line.off triangle.off huge.off na
 grep -qi 'nan\b.*nan\b' bad/*.off && fail 'NaN in a file'
 expect 1 'cannot be written' "$rectilin" pose triangle.off --write /dev/null/x.off
 
+# Every method: flat, a single triangle, parts far apart, a vertex far outside that no face uses (it goes with the others
+# or is refused, but is no infinity in a file), and a sphere, which has no pose.
+printf 'OFF\n4 2 0\n0 0 0\n4 0 0\n4 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n' >flat.off
+printf 'OFF\n8 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1e9 0 0\n1000000001 0 0\n1e9 1 0\n1e9 0 1\n3 0 1 2\n3 0 1 3\n3 4 5 6\n3 4 6 7\n' >apart.off
+printf 'OFF\n4 1 0\n0 0 0\n1e-9 0 0\n0 1e-9 0\n1e305 0 0\n3 0 1 2\n' >stray.off
+"$rectilin" poses --json | grep -o '^{"name":"[a-z-]*"' | cut -d'"' -f4 >methods
+[ "$(wc -l <methods)" -eq 10 ] || fail 'ten methods'
+while read -r method; do
+  expect 1 'stray\.off: ' "$rectilin" pose --json --method "$method" flat.off triangle.off apart.off huge.off stray.off --write "odd-$method"
+  [ "$(ls "odd-$method" | wc -l)" -eq 4 ] || fail "files by $method"
+  grep -qiE '(^| )-?(nan|inf)' "odd-$method"/*.off && fail "not finite by $method"
+  grep -qE '(nan|inf)[,\]]' out && fail "not finite in JSON by $method"
+  expect 0 '"uniqueness":"none"' "$rectilin" pose --json --method "$method" 'shape:sphere?kind=even&faces=3000'
+done <methods
+
+# Interrupted: what is written stays, whole; one line.
+for i in $(seq 300); do cp meshes/a.off "meshes/c$i.off"; done
+begin "$rectilin" pose meshes --method 'box?directions=20000' --write half --threads 1
+for _ in $(seq 400); do [ -e half/a.off ] && break; sleep 0.05; done
+kill -INT "$pid"
+wait "$pid"
+status=$?
+[ $status -ne 0 ] && [ -s half/a.off ] && [ "$(ls half | wc -l)" -lt 302 ] || fail "interrupted (status $status)"
+expect 0 '' "$rectilin" measure half
+ls -A half | grep -v '\.off$' && fail 'something half written'
+
 # Silhouettes as the objective of a comparison: gaps to the best found, none of them negative, and no optimizer that
 # needs more than values.
 expect 0 'sil/index.html' "$rectilin" compare shape:lshape --objective silhouette --runs 2 --budget 60 \

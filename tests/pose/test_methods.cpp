@@ -132,7 +132,7 @@ TEST_CASE("bodies of revolution and spheres say so", "[pose]") {
   CHECK(pose::unroundness(shape("box?x=1&y=2&z=3"), Vector3::UnitZ()) > 0.3);
   const Rotation turn = rotation_from_euler(0.5, 0.3, 0.9);
   const Mesh cone = moved(shape("ellipsoid?a=3&b=1&c=1&faces=8000"), turn);
-  for (const std::string name : {"rectilinear", "hull", "box", "symmetry", "composite"}) {
+  for (const std::string name : {"pca", "normal-pca", "rectilinear", "hull", "box", "symmetry", "cpn", "composite"}) {
     INFO(name);
     const pose::Pose found = pose_of(name, cone);
     CHECK(found.uniqueness == Uniqueness::kContinuum);
@@ -140,6 +140,7 @@ TEST_CASE("bodies of revolution and spheres say so", "[pose]") {
     CHECK(std::abs(found.rotation.axis(found.free_axis).dot(turn.matrix().col(0))) > std::cos(1 * kDegree));
     CHECK(pose_of(name, shape("sphere?kind=even&faces=5000")).uniqueness == Uniqueness::kNone);
   }
+  CHECK(pose_of("silhouette?evaluations=20", shape("sphere?kind=even&faces=2000")).uniqueness == Uniqueness::kNone);
 }
 
 TEST_CASE("flat meshes, single triangles, parts far apart and huge numbers", "[pose]") {

@@ -97,6 +97,7 @@ struct Accuracy {
         if (outcome.round_axis >= 0)
           scored.revolved_angle = std::min(scored.angle, nearest_axis(scored.frame, Vector3::Unit(outcome.round_axis)));
         scored.confidence = found.confidence;
+        scored.unique = found.uniqueness == pose::Uniqueness::kUnique;
         outcome.poses[m].push_back(scored);
         outcome.chosen[m].push_back(found.chosen);
       }
@@ -137,6 +138,7 @@ struct Accuracy {
           of_method.push_back({{"angle", pose.angle},
                                {"revolved", pose.revolved_angle},
                                {"confidence", pose.confidence},
+                               {"unique", pose.unique},
                                {"chosen", item.value->chosen[m][t]}});
           poses[m].push_back(pose);
         }
@@ -188,6 +190,11 @@ struct Accuracy {
         part["surer_half_revolved"] = to_json(surer_half(*of, kRight, Rule::kRevolved));
         if (!classes.empty()) part["consistent_pairs"] = to_json(consistency(*of, kRight));
         row[key] = std::move(part);
+      }
+      if (turns > 1) {
+        const Steadiness steady = steadiness(poses[m]);
+        row["turned_with_the_model"] = to_json(steady.same);
+        row["widest_turn_apart"] = kDegrees * steady.widest;
       }
       rows.push_back(std::move(row));
     }

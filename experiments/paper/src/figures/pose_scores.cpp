@@ -51,6 +51,21 @@ Share consistency(const std::vector<ScoredPose>& poses, double degrees) {
   return share;
 }
 
+Steadiness steadiness(const std::vector<ScoredPose>& poses) {
+  constexpr double kRadians = 1e-6;
+  std::map<std::size_t, const ScoredPose*> first;
+  Steadiness result;
+  for (const ScoredPose& pose : poses) {
+    const auto [entry, added] = first.try_emplace(pose.model, &pose);
+    if (added || !pose.unique || !entry->second->unique) continue;
+    const double angle = frame_angle(entry->second->frame, pose.frame);
+    ++result.same.of;
+    result.same.hits += angle < kRadians;
+    result.widest = std::max(result.widest, angle);
+  }
+  return result;
+}
+
 std::map<std::string, std::string> classes_by_model(const retrieval::Classification& classification) {
   std::map<std::string, std::string> classes;
   for (std::size_t i = 0; i < classification.models.size(); ++i)

@@ -21,6 +21,7 @@ struct PoseCandidate {
   std::optional<double> silhouette;    ///< the three silhouettes, overlaps counted once; if the method asks for them
   std::optional<double> volume;        ///< of the box with these axes round the mesh, in units of (surface area)^1.5
   std::vector<double> mirror_defects;  ///< of the planes across the axes, 0: a plane of symmetry ... 1; or none
+  std::optional<double> flat_share;    ///< of the hull's outline along an axis, largest: a flat side, if asked for
   double score = 0;                    ///< what the method minimises
 };
 
