@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "rectilin/base/rotation.h"
 
@@ -66,6 +67,7 @@ AlignedShape::AlignedShape(const retrieval::Model& model) {
   if (principal_.determinant() < 0) principal_.row(2) *= -1;
   rectilinear_ = model.frame("rectilinear").rotation.matrix();
   unit_ = rms / frame.scale;
+  disc_ = 1.5 * std::sqrt(area / (rms * rms) / (std::numbers::pi * kFitSamples));
 
   for (const Triangle& t : mesh.triangles)
     triangles_.push_back({principal_ * mesh.vertices[t[0]] / rms, principal_ * mesh.vertices[t[1]] / rms,
@@ -142,6 +144,15 @@ AlignedShape::Foot AlignedShape::nearest(const Vector3& p) const {
     const Vector3 q = nearest_of_triangle(p, triangles_[samples_[i].triangle]);
     const double distance = (q - p).norm();
     if (distance < foot.distance) foot = {q, samples_[i].normal, distance};
+    // Most triangles of a fine mesh have no sample: a sample stands for a flat disc of its share of the surface, too.
+    const Sample& s = samples_[i];
+    Vector3 aside = p - s.point;
+    aside -= s.normal.dot(aside) * s.normal;
+    const double length = aside.norm();
+    if (length > disc_) aside *= disc_ / length;
+    const Vector3 on_disc = s.point + aside;
+    const double from_disc = (on_disc - p).norm();
+    if (from_disc < foot.distance) foot = {on_disc, s.normal, from_disc};
   }
   return foot;
 }

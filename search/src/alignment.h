@@ -28,8 +28,8 @@ class AlignedShape {
   const Eigen::Matrix3d& rectilinear() const { return rectilinear_; }
   double unit() const { return unit_; }  ///< of length, in the file's
 
-  /// The point of the surface next to p, nearly: of the triangles that the samples around p lie in. Infinitely far if
-  /// there are none within reach.
+  /// The point of the surface next to p, nearly: of the triangles that the nearest samples lie in and of the flat discs
+  /// they stand for. Infinitely far if there are none within reach.
   struct Foot {
     Vector3 point, normal;
     double distance;
@@ -43,7 +43,7 @@ class AlignedShape {
   std::vector<Sample> samples_;
   Vector3 moments_, low_;
   Eigen::Matrix3d principal_, rectilinear_;
-  double unit_ = 1, cell_ = 1;
+  double unit_ = 1, cell_ = 1, disc_ = 0;
   std::array<int, 3> counts_{};
   std::vector<std::uint32_t> begins_, order_;  ///< samples by cell
 };

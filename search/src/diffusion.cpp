@@ -7,6 +7,11 @@
 #include <numeric>
 
 namespace rectilin::search {
+namespace {
+
+constexpr double kNoLink = 1e-12;  // share of the activation that counts as none
+
+}  // namespace
 
 std::vector<double> diffuse(std::span<const float> distances, std::size_t size, const DiffusionOptions& options) {
   const auto at = [&](std::size_t i, std::size_t j) { return static_cast<double>(distances[i * size + j]); };
@@ -53,6 +58,8 @@ std::vector<double> diffuse(std::span<const float> distances, std::size_t size, 
     }
     std::swap(f, next);
   }
+  for (std::size_t i = 1; i < size; ++i)
+    if (degree[i] > 0) f[i] *= std::sqrt(degree[0] / degree[i]);
   return f;
 }
 
@@ -70,9 +77,12 @@ std::vector<Neighbour> diffused_nearest(const NearestSearch& search, const Parts
     for (std::size_t j = 1; j < i; ++j) set(i, j, search.distance(own, pool[j - 1].member));
   });
   const std::vector<double> f = diffuse(distances, size, options);
-  const double all = std::max(f[0], 1e-300);
-  for (std::size_t i = 0; i < pool.size(); ++i)
-    pool[i].distance = i + 1 < size ? std::clamp(1 - f[i + 1] / all, 0.0, 1.0) : 1;
+  const std::size_t last = std::min(options.neighbours, size - 1);
+  const double scale = last > 0 ? std::max(pool[last - 1].distance, 1e-9) : 1;
+  for (std::size_t i = 0; i < pool.size(); ++i) {
+    const double share = i + 1 < size ? f[i + 1] / f[0] : 0;
+    pool[i].distance = options.straight * pool[i].distance / scale - std::log(std::clamp(share, kNoLink, 1.0));
+  }
   std::ranges::stable_sort(pool, {}, &Neighbour::distance);
   if (pool.size() > n) pool.resize(n);
   return pool;
