@@ -9,6 +9,7 @@
 #include "options.h"
 #include "rectilin/base/whole_file.h"
 #include "rectilin/mesh/mesh_io.h"
+#include "rectilin/search/diffusion.h"
 #include "rectilin/search/index.h"
 #include "rectilin/search/nearest.h"
 #include "rectilin/search/page.h"
@@ -17,18 +18,18 @@
 namespace rectilin::app {
 namespace {
 
-/// The descriptor of new databases.
-constexpr const char* kIndexDescriptor = "gsmd+0.5*shd+0.15*r";
-
 struct IndexOptions {
   std::vector<std::string> sources;
-  std::string out, descriptor = kIndexDescriptor;
+  std::string out, descriptor;
   int threads = 0;
 };
 
 int index_folders(const IndexOptions& options) {
   const auto limit = limit_threads(options.threads);
-  search::Database database(options.out, options.descriptor);
+  std::string descriptor = options.descriptor;
+  if (descriptor.empty())
+    descriptor = std::filesystem::exists(options.out) ? search::Database(options.out).descriptor() : "best";
+  search::Database database(options.out, descriptor);
   search::IndexSummary summary;
   {
     std::unique_ptr<Progress> progress;
@@ -64,7 +65,7 @@ struct SearchOptions {
   std::string database, page;
   std::vector<std::string> queries, like;
   std::size_t count = 20;
-  bool json = false;
+  bool json = false, collection = false;
   Filter filter;
   int threads = 0;
 };
@@ -143,7 +144,9 @@ int search_database(const SearchOptions& options) {
     const auto keep = [&](std::size_t i) {
       return (!query.member || *query.member != i) && options.filter(loaded.members[i]);
     };
-    const std::vector<search::Neighbour> found = loaded.search.nearest(query.parts, options.count, keep);
+    const std::vector<search::Neighbour> found =
+        options.collection ? search::diffused_nearest(loaded.search, query.parts, options.count, keep)
+                           : loaded.search.nearest(query.parts, options.count, keep);
     if (!options.json && &query != &queries.front()) std::cout << '\n';
     print_query(query, found, loaded, options.json);
     if (options.page.empty()) continue;
@@ -167,10 +170,9 @@ void add_index(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("index", "Describe the shapes of folders in a database to search");
   command->add_option("source", options->sources, "Folders, mesh files, archives or lists of them")->required();
   command->add_option("-o,-O,--out", options->out, "Database; made if it does not exist")->required();
-  command
-      ->add_option("-d,--descriptor", options->descriptor,
-                   "What shapes are compared by, as 'rectilin evaluate' takes it; fixed when the database is made")
-      ->capture_default_str();
+  command->add_option("-d,--descriptor", options->descriptor,
+                      "What shapes are compared by, as 'rectilin evaluate' takes it; fixed when the database is made "
+                      "(default: best)");
   add_threads_option(*command, options->threads, "signatures are the same for any");
   command->footer(
       "Files that are in the database and have the same bytes are not read again; moved files are recognised by them,\n"
@@ -192,6 +194,8 @@ void add_search(CLI::App& app, int& status) {
       ->check(count())
       ->capture_default_str();
   command->add_flag("-j,--json", options->json, "A JSON object a line for each query");
+  command->add_flag("--collection", options->collection,
+                    "Rank by diffusion through the collection: what is between two shapes makes them alike");
   command->add_option("--page", options->page, "Write what was found with pictures, as a web page");
   command->add_option("--min-r", options->filter.least_r, "Only shapes of at least this rectilinearity");
   command->add_option("--max-r", options->filter.largest_r, "Only shapes of at most this rectilinearity");

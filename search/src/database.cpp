@@ -5,6 +5,7 @@
 #include "rectilin/base/version.h"
 #include "rectilin/corpus/sqlite.h"
 #include "rectilin/corpus/writer_lock.h"
+#include "rectilin/retrieval/best.h"
 #include "rectilin/retrieval/features.h"
 
 namespace rectilin::search {
@@ -101,7 +102,8 @@ struct Database::Implementation {
   std::unique_ptr<corpus::Transaction> open;
 };
 
-Database::Database(const fs::path& file, const std::string& descriptor) {
+Database::Database(const fs::path& file, const std::string& text) {
+  const std::string& descriptor = retrieval::without_alias(text);
   const std::string settings = all_settings(descriptor);  // before a file is made
   implementation_ = std::make_unique<Implementation>(file, Mode::kWrite);
   corpus::Database& database = implementation_->database;

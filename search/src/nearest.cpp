@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "rectilin/retrieval/best.h"
 #include "rectilin/retrieval/bounded.h"
 
 namespace rectilin::search {
@@ -30,7 +31,7 @@ const Bounded* as_bounded(const retrieval::DescriptorPointer& descriptor) {
 
 NearestSearch::NearestSearch(const std::string& descriptor) {
   double total = 0;
-  const std::vector<retrieval::Term> terms = retrieval::parse_composite(descriptor);
+  const std::vector<retrieval::Term> terms = retrieval::parse_composite(retrieval::without_alias(descriptor));
   for (const retrieval::Term& term : terms) {
     Term t;
     t.descriptor = retrieval::descriptors().make(term.spec);

@@ -41,6 +41,23 @@ if grep -q torus out; then fail "a filter by R"; fi
 expect 0 turned "$rectilin" search shapes.db turned.ply -n 4 --page found.html
 [ "$(grep -o 'data:image/png' found.html | wc -l)" -eq 5 ] || fail "five pictures on the page"
 
+expect 0 torus "$rectilin" search shapes.db --like meshes/torus2.stl -n 3 --collection
+[ "$(grep -c torus out)" -eq 4 ] || fail "three tori are nearest to a torus through the collection"
+
+# Copies in other formats, and the same bytes again.
+cp -r meshes copies; "$rectilin" convert meshes/torus2.stl copies/other.ply
+expect 0 '13 added' "$rectilin" index copies -o copies.db
+# Tori whose tubes differ by a thirtieth are 0.006 radii apart: another shape by a narrower tolerance.
+expect 0 '1 groups in 13 shapes' "$rectilin" duplicates copies.db --page groups.html --tolerance 0.003
+grep -q other.ply out || fail "the copy in another format is found"
+[ "$(grep -o 'data:image/png' groups.html | wc -l)" -eq 2 ] || fail "two pictures of the group"
+cp copies/box1.off copies/again.off
+expect 0 '1 copies' "$rectilin" index copies -o copies.db
+expect 0 '"same_bytes":true' "$rectilin" duplicates copies.db --json --tolerance 0.003
+[ "$(wc -l <out)" -eq 2 ] || fail "a line for each group"
+rm copies/torus2.stl; expect 0 '1 removed' "$rectilin" index copies -o copies.db
+mv copies/box2.off copies/moved.off; expect 0 '1 moved' "$rectilin" index copies -o copies.db
+
 # Killed at any moment, the same command ends the same.
 for wait in 0.05 0.2 0.5; do
   "$rectilin" index meshes -o killed.db -d "$d" >/dev/null 2>&1 & pid=$!

@@ -80,7 +80,7 @@ TEST_CASE("a database follows its folders") {
   CHECK(update_index(database, sources).removed == 1);
   // What lies elsewhere stays.
   fs::create_directories(scratch.path() / "other");
-  put_shape(scratch.path() / "other/d.off", "pyramid");
+  put_shape(scratch.path() / "other/d.off", "cylinder");
   CHECK(update_index(database, {(scratch.path() / "other").string()}).added == 1);
   CHECK(database.members().size() == 5);
 }

@@ -1,9 +1,13 @@
 // From names to descriptors.
+#include "descriptors/best.h"
+#include "descriptors/extents.h"
 #include "descriptors/gsmd.h"
 #include "descriptors/histograms.h"
 #include "descriptors/lfd.h"
 #include "descriptors/rectilinearity.h"
 #include "descriptors/shd.h"
+#include "descriptors/views.h"
+#include "descriptors/words.h"
 #include "rectilin/retrieval/descriptor.h"
 
 namespace rectilin::retrieval {
@@ -16,6 +20,10 @@ const DescriptorFactory& descriptors() {
     add_shd(f);
     add_gsmd(f);
     add_lfd(f);
+    add_views(f);
+    add_words(f);
+    add_extents(f);
+    add_best(f);
     return f;
   }();
   return factory;

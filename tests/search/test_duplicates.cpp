@@ -1,0 +1,123 @@
+// Duplicates: copies in other poses, sizes and tessellations are found, mirror images told apart, others left alone.
+#include <Eigen/Geometry>
+#include <filesystem>
+
+#include "alignment.h"
+#include "rectilin/base/random.h"
+#include "rectilin/base/rotation.h"
+#include "rectilin/mesh/mesh_io.h"
+#include "rectilin/mesh/source.h"
+#include "rectilin/search/duplicates.h"
+#include "rectilin/search/index.h"
+#include "support/catch.h"
+#include "support/scratch_folder.h"
+
+using namespace rectilin;
+using namespace rectilin::search;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Three arms of different lengths at right angles, each other in width: its mirror image is another shape.
+Mesh chiral() {
+  Mesh all;
+  const auto add = [&](Vector3 low, Vector3 high) {
+    const auto base = static_cast<std::uint32_t>(all.vertices.size());
+    for (int k = 0; k < 8; ++k)
+      all.vertices.emplace_back(k & 1 ? high.x() : low.x(), k & 2 ? high.y() : low.y(), k & 4 ? high.z() : low.z());
+    for (const auto& t : {Triangle{0, 1, 3},
+                          {0, 3, 2},
+                          {4, 6, 7},
+                          {4, 7, 5},
+                          {0, 4, 5},
+                          {0, 5, 1},
+                          {2, 3, 7},
+                          {2, 7, 6},
+                          {0, 2, 6},
+                          {0, 6, 4},
+                          {1, 5, 7},
+                          {1, 7, 3}})
+      all.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+  };
+  add({0, 0, 0}, {3, 1, 1});
+  add({0, 1, 0}, {0.8, 3, 0.6});
+  add({0.2, 0.1, 1}, {0.7, 0.9, 2});
+  return all;
+}
+
+Mesh moved(Mesh mesh, Random& random, bool mirror = false) {
+  const Eigen::Matrix3d turn = random_rotation(random).matrix() * random.uniform(0.01, 90);
+  const Vector3 shift(random.uniform(-50, 50), random.uniform(-50, 50), random.uniform(-50, 50));
+  for (Vector3& v : mesh.vertices) v = turn * (mirror ? Vector3(-v.x(), v.y(), v.z()) : v) + shift;
+  return mesh;
+}
+
+/// Each triangle in four.
+Mesh subdivided(const Mesh& mesh) {
+  Mesh fine;
+  for (const Triangle& t : mesh.triangles) {
+    const Vector3 a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];
+    const auto k = static_cast<std::uint32_t>(fine.vertices.size());
+    for (const Vector3& v : {a, b, c, Vector3((a + b) / 2), Vector3((b + c) / 2), Vector3((c + a) / 2)})
+      fine.vertices.push_back(v);
+    for (const auto& s : {Triangle{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}})
+      fine.triangles.push_back({k + s[0], k + s[1], k + s[2]});
+  }
+  return fine;
+}
+
+}  // namespace
+
+TEST_CASE("a fit finds the way back, and a reflection only where there is one") {
+  Random random(2);
+  const AlignedShape first{retrieval::Model(chiral())};
+  for (int i = 0; i < 3; ++i) {
+    const AlignedShape copy{retrieval::Model(moved(subdivided(chiral()), random))};
+    // Not zero: a foot is looked for among the triangles of the nearest samples only.
+    CHECK(best_fit(first, copy, false).distance < 3e-3);
+    CHECK(best_fit(first, copy, true).distance > 0.03);
+    const AlignedShape mirror{retrieval::Model(moved(chiral(), random, true))};
+    CHECK(best_fit(first, mirror, true).distance < 3e-3);
+    CHECK(best_fit(first, mirror, false).distance > 0.03);
+  }
+  const AlignedShape torus{retrieval::Model(load_mesh("shape:torus").mesh)};
+  CHECK(best_fit(first, torus, false).distance > 0.05);
+}
+
+TEST_CASE("a foot is the nearest point of the surface") {
+  const AlignedShape box{retrieval::Model(load_mesh("shape:box?x=2&y=1.5").mesh)};
+  double reach = 0;
+  for (const auto& s : box.samples()) reach = std::max(reach, s.point.lpNorm<Eigen::Infinity>());
+  for (const auto& s : box.samples()) {
+    CHECK(box.nearest(s.point).distance < 1e-12);
+    CHECK(box.nearest(s.point + 0.1 * s.normal).distance <= 0.1 + 1e-12);
+  }
+  CHECK(std::isinf(box.nearest(Vector3::Constant(10 * reach)).distance));
+}
+
+TEST_CASE("groups of a folder") {
+  const test::ScratchFolder scratch;
+  Random random(4);
+  const auto put = [&](const std::string& name, const Mesh& mesh) { write_mesh(scratch.path() / name, mesh); };
+  put("a1.off", chiral());
+  put("a2.ply", moved(subdivided(chiral()), random));
+  put("a3.off", moved(chiral(), random, true));
+  put("b1.obj", load_mesh("shape:stairs?steps=4").mesh);
+  put("b2.off", moved(load_mesh("shape:stairs?steps=4").mesh, random));
+  put("c.off", load_mesh("shape:stairs?steps=6").mesh);
+  put("d.off", load_mesh("shape:torus").mesh);
+  fs::copy_file(scratch.path() / "d.off", scratch.path() / "e.off");
+  Database database(scratch.path() / "shapes.db", "best");
+  CHECK(update_index(database, {scratch.path().string()}).errors.empty());
+  const Duplicates found = find_duplicates(database);
+  CHECK(found.complete);
+  std::vector<std::string> groups;
+  for (const DuplicateGroup& group : found.groups) {
+    std::string text;
+    for (std::size_t k = 0; k < group.members.size(); ++k)
+      text += fs::path(found.members[group.members[k]].name).stem().string() + (group.mirrored[k] ? "~ " : " ");
+    groups.push_back(text);
+    CHECK(group.evidence.size() + 1 == group.members.size());
+  }
+  CHECK(groups == std::vector<std::string>{"a1 a2 a3~ ", "b1 b2 ", "d e "});
+}
