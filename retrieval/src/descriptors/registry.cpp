@@ -1,9 +1,11 @@
 // From names to descriptors.
+#include "descriptors/dla.h"
 #include "descriptors/gsmd.h"
 #include "descriptors/histograms.h"
 #include "descriptors/lfd.h"
 #include "descriptors/rectilinearity.h"
 #include "descriptors/shd.h"
+#include "descriptors/swc.h"
 #include "rectilin/retrieval/descriptor.h"
 
 namespace rectilin::retrieval {
@@ -16,6 +18,8 @@ const DescriptorFactory& descriptors() {
     add_shd(f);
     add_gsmd(f);
     add_lfd(f);
+    add_swc(f);
+    add_dla(f);
     return f;
   }();
   return factory;
