@@ -7,12 +7,28 @@
 #include "claims/lemma1.h"
 #include "claims/range_of_r.h"
 #include "claims/rectilinear.h"
+#include "claims/retrieval.h"
 #include "claims/robustness.h"
 #include "claims/search_cost.h"
 #include "claims/search_domain.h"
 #include "claims/views.h"
 
 namespace rectilin::claims_detail {
+namespace {
+
+std::vector<tables::Row> tables_4_and_5() {
+  std::vector<tables::Row> rows = tables::table4_rows();
+  for (tables::Row& row : tables::table5_rows()) rows.push_back(std::move(row));
+  return rows;
+}
+
+std::vector<tables::Row> tables_4_to_6() {
+  std::vector<tables::Row> rows = tables_4_and_5();
+  for (tables::Row& row : tables::table6_rows()) rows.push_back(std::move(row));
+  return rows;
+}
+
+}  // namespace
 
 const std::vector<ClaimTest>& claim_tests() {
   using S = const TestMesh&;
@@ -64,6 +80,13 @@ const std::vector<ClaimTest>& claim_tests() {
       {"eq-33-permutations", nullptr, check_permutations},
       {"storage-44", nullptr, check_storage},
       {"view-pairs-70", nullptr, check_view_pairs},
+      {"time-70", nullptr, check_times_quicker},
+      {"gsmd-beats-lfd", nullptr, nullptr, 0, check_gsmd_beats_lfd, tables::table2_rows},
+      {"views-saturate", nullptr, nullptr, 0, check_views_saturate, tables::table2_rows},
+      {"cpn-beats-pca", nullptr, nullptr, 0, check_cpn_beats_pca, tables::table3_rows},
+      {"more-matches", nullptr, nullptr, 0, check_more_matches, tables::table3_rows},
+      {"r-improves", nullptr, nullptr, 0, check_r_improves, tables_4_and_5},
+      {"best-sum", nullptr, nullptr, 0, check_best_sum, tables_4_to_6},
   };
   return tests;
 }

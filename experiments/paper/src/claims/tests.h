@@ -7,8 +7,11 @@
 #include "claims/test_mesh.h"
 #include "rectilin/base/random.h"
 #include "rectilin/paper/claims.h"
+#include "tables/retrieval_table.h"
 
 namespace rectilin::claims_detail {
+
+class TestCollection;
 
 /// How a claim is tested. Tests are pure functions of their arguments, safe to call from many
 /// threads.
@@ -21,6 +24,9 @@ struct ClaimTest {
   /// Share of the findings that may be worse than the decisive one: 0 where the claim is about
   /// every case.
   double quantile = 0;
+  /// On a folder of models with classes; may be null. `rows` says what is to be computed for it.
+  std::vector<Finding> (*on_collection)(const TestCollection& collection) = nullptr;
+  std::vector<tables::Row> (*rows)() = nullptr;
 };
 
 const std::vector<ClaimTest>& claim_tests();

@@ -65,6 +65,10 @@ struct ClaimResult {
 struct ValidationSettings {
   std::vector<std::string> claims = {};  ///< ids; empty: all
   std::uint64_t seed = 1;
+  /// A folder of models and their .cla file, for the claims about retrieval, which are untested without; and a folder
+  /// in which signatures are kept from run to run (none: they are not kept). `size`: pixels in a row of a picture.
+  std::string collection = {}, classes = {}, cache = {};
+  int size = 256;
   std::stop_token stop = {};
   /// Called from any thread, one at a time: steps done, steps in all, what was done.
   std::function<void(std::size_t, std::size_t, const std::string&)> on_progress = {};
@@ -81,8 +85,9 @@ struct Validation {
 
 /// Tests claims on meshes (sources for load_mesh(); without any, on validation_shapes()) and, where
 /// a claim is about certain shapes, on those. The result depends on sources, claims and seed, not
-/// on threads; the margin of linear-cost alone is a time. Throws ParameterError for an unknown
-/// claim, MeshError for a folder without meshes.
+/// on threads; the margins of linear-cost and time-70 alone are times. Throws ParameterError for an
+/// unknown claim and for a collection without classes or the reverse, MeshError for a folder without meshes,
+/// std::runtime_error for a collection that cannot be read.
 Validation validate(const std::vector<std::string>& sources, const ValidationSettings& settings = {});
 
 /// The built-in shapes that stand in where no mesh is given.
