@@ -20,7 +20,7 @@ struct CompareOptions {
   std::vector<std::string> sources;
   std::vector<std::string> optimizers;
   std::vector<std::string> domains = {"covering"};
-  Plan plan;
+  laboratory::Plan plan;
   std::string out = "comparison";
   int threads = 0;
 };
@@ -42,7 +42,7 @@ std::vector<std::string> default_optimizers(const Registry& registry, bool all) 
   for (const char* wish : {"ga", "gray-ga=ga?encoding=gray&selection=tournament", "grid", "random", "super-fibonacci",
                            "anneal", "multistart", "axis-sweep", "hybrid", "ceres", "nlopt:GN_DIRECT_L",
                            "nlopt:GN_CRS2_LM", "pagmo:cmaes", "pagmo:sade"}) {
-    const std::string_view spec = split_label(wish).spec;
+    const std::string_view spec = laboratory::split_label(wish).spec;
     for (const Registry::Entry& entry : registry.entries())
       if (entry.name == spec.substr(0, spec.find('?')) && (all || asks_for_values(registry, spec)))
         present.push_back(wish);
@@ -52,35 +52,35 @@ std::vector<std::string> default_optimizers(const Registry& registry, bool all) 
 
 int compare(CompareOptions options, const std::string& command_line) {
   const Registry& registry = all_optimizers();
-  Plan& plan = options.plan;
+  laboratory::Plan& plan = options.plan;
   plan.meshes = expand_folders(options.sources);
   if (options.optimizers.empty()) options.optimizers = default_optimizers(registry, plan.proves());
-  if (!plan.proves() && plan.certificate == Plan().certificate) plan.certificate = kReference;
-  plan.entries = parse_entries(options.optimizers, options.domains, registry);
+  if (!plan.proves() && plan.certificate == laboratory::Plan().certificate) plan.certificate = kReference;
+  plan.entries = laboratory::parse_entries(options.optimizers, options.domains, registry);
 
   const auto limit = limit_threads(options.threads);
 
-  ComparisonOutcome outcome;
+  laboratory::ComparisonOutcome outcome;
   {
     std::unique_ptr<Progress> progress;
-    ComparisonSettings settings;
+    laboratory::ComparisonSettings settings;
     settings.stop = stop_on_interrupt();
     settings.command_line = command_line;
     settings.objective = [](const std::string& name) -> std::shared_ptr<const Objective> {
       return std::make_shared<pose::SummedSilhouette>(load_mesh(name).mesh, kSilhouetteWidth, name);
     };
-    settings.on_progress = [&](const ComparisonProgress& now) {
+    settings.on_progress = [&](const laboratory::ComparisonProgress& now) {
       if (!progress) progress = std::make_unique<Progress>(plan.meshes.size() * plan.entries.size() * plan.runs);
       progress->show(now.done, time_left(now.seconds_left) + now.text);
     };
-    outcome = run_comparison(plan, options.out, registry, settings);
+    outcome = laboratory::run_comparison(plan, options.out, registry, settings);
   }
   for (const std::string& error : outcome.mesh_errors) complain(error);
   if (!outcome.complete) {
     complain("stopped; nothing finished is lost: the same command goes on from here");
     return 1;
   }
-  const PictureTroubles pictures = write_report(options.out);
+  const report::PictureTroubles pictures = laboratory::write_report(options.out);
   for (const std::string& trouble : pictures.lines) complain(trouble);
   if (outcome.failed_runs > 0) complain(std::to_string(outcome.failed_runs) + " runs failed; the page lists them");
   std::cout << printable(options.out) << "/index.html\n";
@@ -123,7 +123,7 @@ void add_compare_command(CLI::App& app, int& status, int argc, const char* const
       ->add_option("--objective", options->plan.objective,
                    "What is searched: rectilinearity, or silhouette (the summed area of three silhouettes over the "
                    "surface's: there is no proof, so gaps are to the best value found)")
-      ->check(CLI::IsMember({kRectilinearity, "silhouette"}))
+      ->check(CLI::IsMember({laboratory::kRectilinearity, "silhouette"}))
       ->capture_default_str();
   command
       ->add_option("-c,--certificate", options->plan.certificate,

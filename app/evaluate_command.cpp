@@ -50,7 +50,7 @@ int evaluate(EvaluateOptions options, const std::string& command_line) {
   if (!options.tune.empty()) evaluation::add_terms(plan.contestants, tuning);
 
   const auto limit = limit_threads(options.threads);
-  PictureTroubles troubles;
+  report::PictureTroubles troubles;
   evaluation::Evaluation result;
   evaluation::TuningOutcome tuned;
   {

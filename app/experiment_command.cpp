@@ -30,7 +30,7 @@ constexpr const char* kAll = "all";
 
 void list() {
   std::cout << "rectilin experiment NAME runs one of these, rectilin experiment all runs all.\n\n";
-  for (const Experiment& experiment : experiments()) {
+  for (const paper::Experiment& experiment : paper::experiments()) {
     std::cout << experiment.name << "\n    " << experiment.help;
     if (!experiment.takes.empty()) std::cout << "; takes " << experiment.takes;
     std::cout << '\n' << settings_table(experiment.parameters);
@@ -53,10 +53,10 @@ class Runner {
   }
 
   /// Returns the exit status.
-  int run(const Experiment& experiment, const Json& given) {
+  int run(const paper::Experiment& experiment, const Json& given) {
     Json settings = options_.quick ? experiment.quick : Json::object();
     settings.update(given);
-    ExperimentOutcome outcome;
+    paper::ExperimentOutcome outcome;
     {
       std::optional<Progress> progress;
       context_.on_progress = [&, of = std::size_t{0}](std::size_t done, std::size_t total,
@@ -64,9 +64,9 @@ class Runner {
         if (total != std::exchange(of, total)) progress.emplace(total);
         progress->show(done, experiment.name + ": " + text);
       };
-      outcome = run_experiment(experiment, settings, context_, options_.out, command_line_);
+      outcome = paper::run_experiment(experiment, settings, context_, options_.out, command_line_);
     }
-    write_experiment_page(options_.out);
+    paper::write_experiment_page(options_.out);
     for (const std::string& error : outcome.mesh_errors) complain(error);
     for (const std::string& trouble : outcome.pictures.lines) complain(trouble);
     std::cout << experiment.name << ": " << printable(outcome.says) << '\n' << std::flush;
@@ -76,7 +76,7 @@ class Runner {
  private:
   const ExperimentOptions& options_;
   std::string command_line_;
-  ExperimentContext context_;
+  paper::ExperimentContext context_;
 };
 
 int experiment(const ExperimentOptions& options, const std::string& command_line) {
@@ -91,11 +91,12 @@ int experiment(const ExperimentOptions& options, const std::string& command_line
   if (options.spec != kAll) {
     Spec spec = Spec::parse(options.spec);
     if (!options.classes.empty()) spec.settings["classes"] = options.classes;
-    status = runner.run(find_experiment(spec.name), spec.settings);
+    status = runner.run(paper::find_experiment(spec.name), spec.settings);
   } else {
     if (!options.meshes.empty() || !options.classes.empty())
       throw ParameterError("'all' takes no meshes; give them to one experiment at a time");
-    for (const Experiment& one : experiments()) status = std::max(status, runner.run(one, Json::object()));
+    for (const paper::Experiment& one : paper::experiments())
+      status = std::max(status, runner.run(one, Json::object()));
   }
   std::cout << printable(options.out) << "/index.html\n";
   return status;

@@ -110,6 +110,7 @@ int run_into_store(const MeasureCommand& command) {
 /// How far a search is that takes its time.
 std::string state_of(const Evaluator& run) {
   std::string text = fixed(run.seconds(), 0) + " s, " + std::to_string(run.costs().evaluations()) + " evaluations";
+  if (run.parts_bounded() > 0) text += ", " + std::to_string(run.parts_bounded()) + " boxes bounded";
   if (!run.has_incumbent()) return text;
   const double found = run.objective().merit(run.incumbent().value);
   text += ", R >= " + fixed(found, 6);

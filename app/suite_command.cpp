@@ -22,33 +22,34 @@ struct SuiteOptions {
 };
 
 /// One suite's name, or meshes.
-Suite chosen(const std::vector<std::string>& what) {
-  for (const Suite& suite : suites())
+laboratory::Suite chosen(const std::vector<std::string>& what) {
+  for (const laboratory::Suite& suite : laboratory::suites())
     if (what.size() == 1 && what.front() == suite.name) return suite;
-  return suite_of(what);
+  return laboratory::suite_of(what);
 }
 
 int list_suites() {
-  for (const Suite& suite : suites()) {
+  for (const laboratory::Suite& suite : laboratory::suites()) {
     std::cout << suite.name << "  " << suite.help << '\n';
-    for (const SuiteProblem& problem : suite.problems)
+    for (const laboratory::SuiteProblem& problem : suite.problems)
       std::cout << "    " << problem.name << "  " << problem.landscape << "\n        " << problem.source << '\n';
   }
   return 0;
 }
 
-int export_problems(const Suite& suite, const SuiteOptions& options) {
+int export_problems(const laboratory::Suite& suite, const SuiteOptions& options) {
   const auto limit = limit_threads(options.threads);
   Progress progress(suite.problems.size());
-  export_suite(suite, options.out, options.gap, {.stop = stop_on_interrupt(), .on_progress = progress.shown()});
+  laboratory::export_suite(suite, options.out, options.gap,
+                           {.stop = stop_on_interrupt(), .on_progress = progress.shown()});
   progress.clear();
   std::cout << printable(options.out) << "/suite.json\n";
   return 0;
 }
 
 int read_traces(const SuiteOptions& options) {
-  const std::size_t runs = add_foreign_runs(options.into, read_whole_file(options.traces), options.traces);
-  for (const std::string& trouble : write_report(options.into).lines) complain(trouble);
+  const std::size_t runs = laboratory::add_foreign_runs(options.into, read_whole_file(options.traces), options.traces);
+  for (const std::string& trouble : laboratory::write_report(options.into).lines) complain(trouble);
   std::cout << runs << " runs read: " << printable(options.into) << "/index.html\n";
   return 0;
 }
@@ -58,9 +59,9 @@ int run(const SuiteOptions& options) {
     throw ParameterError("--traces FILE and --into FOLDER go together");
   if (!options.traces.empty()) return read_traces(options);
   if (options.what.empty()) return list_suites();
-  const Suite suite = chosen(options.what);
+  const laboratory::Suite suite = chosen(options.what);
   if (!options.out.empty()) return export_problems(suite, options);
-  for (const SuiteProblem& problem : suite.problems) std::cout << printable(problem.source) << '\n';
+  for (const laboratory::SuiteProblem& problem : suite.problems) std::cout << printable(problem.source) << '\n';
   return 0;
 }
 

@@ -17,14 +17,14 @@ namespace {
 
 struct ValidateOptions {
   std::vector<std::string> sources;
-  ValidationSettings settings;
+  paper::ValidationSettings settings;
   std::string out = "counterexamples";
   int threads = 0;
   bool json = false, markdown = false, list = false;
 };
 
 /// Writes the mesh and the rotation of a claim's decisive finding; the mesh's path.
-std::string write_counterexample(const ClaimResult& result, const std::filesystem::path& folder) {
+std::string write_counterexample(const paper::ClaimResult& result, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   const std::string mesh = (folder / (result.claim->id + ".off")).string();
   write_mesh(mesh, result.decisive.mesh ? *result.decisive.mesh : load_mesh(result.decisive.where).mesh);
@@ -41,11 +41,11 @@ std::string write_counterexample(const ClaimResult& result, const std::filesyste
 }
 
 /// A claim about rotations or angles alone has no mesh to show.
-bool has_mesh(const Finding& finding) {
+bool has_mesh(const paper::Finding& finding) {
   return finding.mesh || finding.where.starts_with("shape:") || std::filesystem::exists(finding.where);
 }
 
-Json to_json(const ClaimResult& result, const std::string& mesh) {
+Json to_json(const paper::ClaimResult& result, const std::string& mesh) {
   Json json = {{"claim", result.claim->id},
                {"source", result.claim->source},
                {"expected", result.claim->should_hold ? "holds" : "fails"},
@@ -58,14 +58,14 @@ Json to_json(const ClaimResult& result, const std::string& mesh) {
                {"note", result.decisive.note},
                {"counterexample", nullptr}};
   if (result.tested > 0) json["margin"] = result.decisive.margin;
-  if (result.verdict == ClaimVerdict::kFails) {
+  if (result.verdict == paper::ClaimVerdict::kFails) {
     json["counterexample"] = {{"mesh", mesh.empty() ? Json(nullptr) : Json(mesh)},
                               {"rotation", to_json(result.decisive.rotation)}};
   }
   return json;
 }
 
-void print_table(const Validation& validation) {
+void print_table(const paper::Validation& validation) {
   const Table table({{"claim", 18},
                      {"expected", 8},
                      {"verdict", 17},
@@ -74,7 +74,7 @@ void print_table(const Validation& validation) {
                      {"tested", 6},
                      {"failed", 6}});
   std::cout << table.header() << "  decided by\n";
-  for (const ClaimResult& result : validation.results) {
+  for (const paper::ClaimResult& result : validation.results) {
     const bool tested = result.tested > 0;
     std::cout << table.row({result.claim->id, result.claim->should_hold ? "holds" : "fails",
                             std::string(to_string(result.verdict)), tested ? general(result.decisive.margin, 4) : "-",
@@ -87,7 +87,7 @@ void print_table(const Validation& validation) {
 }
 
 void print_list() {
-  for (const Claim& claim : claims()) {
+  for (const paper::Claim& claim : paper::all_claims()) {
     std::cout << claim.id << "  [" << claim.source << "]\n    " << claim.statement << "\n    Tested: " << claim.test
               << "\n    Tolerance: " << general(claim.tolerance, 2) << " (" << claim.why << ")\n";
     if (!claim.should_hold) std::cout << "    Expected to fail. " << claim.remark << '\n';
@@ -97,13 +97,13 @@ void print_list() {
 
 int run_validation(ValidateOptions options) {
   if (options.list || options.markdown) {
-    if (options.markdown) std::cout << claims_markdown();
+    if (options.markdown) std::cout << paper::claims_markdown();
     else print_list();
     return 0;
   }
   const auto limit = limit_threads(options.threads);
 
-  Validation validation;
+  paper::Validation validation;
   {
     std::unique_ptr<Progress> progress;
     options.settings.stop = stop_on_interrupt();
@@ -111,14 +111,14 @@ int run_validation(ValidateOptions options) {
       if (!progress) progress = std::make_unique<Progress>(total);
       progress->show(done, what);
     };
-    validation = validate(options.sources, options.settings);
+    validation = paper::validate(options.sources, options.settings);
   }
   std::vector<std::string> errors = validation.errors;
   Json list = Json::array();
-  for (const ClaimResult& result : validation.results) {
+  for (const paper::ClaimResult& result : validation.results) {
     std::string mesh;
     try {
-      if (result.verdict == ClaimVerdict::kFails && has_mesh(result.decisive))
+      if (result.verdict == paper::ClaimVerdict::kFails && has_mesh(result.decisive))
         mesh = write_counterexample(result, options.out);
     } catch (const std::exception& e) {
       errors.push_back(e.what());  // the verdicts are worth more than the file
@@ -129,8 +129,8 @@ int run_validation(ValidateOptions options) {
   if (options.json) std::cout << to_text(list, 2) << '\n';
   else print_table(validation);
 
-  for (const ClaimResult& result : validation.results)
-    if (result.claim->should_hold && result.verdict == ClaimVerdict::kFails)
+  for (const paper::ClaimResult& result : validation.results)
+    if (result.claim->should_hold && result.verdict == paper::ClaimVerdict::kFails)
       complain(result.claim->id + " fails: " + result.decisive.where);
   if (!validation.complete) complain("stopped: the verdicts rest on what was tested until then");
   return validation.as_expected() && errors.empty() && validation.complete ? 0 : 1;

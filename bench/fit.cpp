@@ -13,7 +13,7 @@ double exponent(std::span<const Point> points, double least) {
     sizes.push_back(p.size);
     times.push_back(p.time);
   }
-  return power_law_exponent(sizes, times);
+  return laboratory::power_law_exponent(sizes, times);
 }
 
 }  // namespace rectilin::bench

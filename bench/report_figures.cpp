@@ -10,14 +10,14 @@ namespace {
 /// Columns of different lengths side by side: each curve has its own x and y.
 class Curves {
  public:
-  void add(std::vector<Point> points, const std::string& label, LineStyle style, bool faint = false) {
+  void add(std::vector<Point> points, const std::string& label, report::LineStyle style, bool faint = false) {
     if (points.empty()) return;
     const int x = 1 + 2 * static_cast<int>(columns_.size());
     curves_.push_back({.x = x, .y = x + 1, .label = label, .style = style, .faint = faint});
     columns_.push_back(std::move(points));
   }
 
-  void draw(const std::string& title, Axis x, Axis y, const std::filesystem::path& folder,
+  void draw(const std::string& title, report::Axis x, report::Axis y, const std::filesystem::path& folder,
             const std::string& name) const {
     if (columns_.empty()) return;
     std::vector<std::string> header;
@@ -27,24 +27,25 @@ class Curves {
       header.push_back(curves_[c].label);
       rows = std::max(rows, columns_[c].size());
     }
-    Csv csv(header);
+    report::Csv csv(header);
     for (std::size_t row = 0; row < rows; ++row) {
-      std::vector<Csv::Cell> cells;
+      std::vector<report::Csv::Cell> cells;
       for (const auto& column : columns_) {
         const bool there = row < column.size();
-        cells.push_back(there ? Csv::Cell(column[row].size) : Csv::Cell(""));
-        cells.push_back(there ? Csv::Cell(column[row].time) : Csv::Cell(""));
+        cells.push_back(there ? report::Csv::Cell(column[row].size) : report::Csv::Cell(""));
+        cells.push_back(there ? report::Csv::Cell(column[row].time) : report::Csv::Cell(""));
       }
       csv.row(cells);
     }
-    Plot(title, csv, {Panel{.title = "", .x = std::move(x), .y = std::move(y), .bands = {}, .curves = curves_}})
+    report::Plot(title, csv,
+                 {report::Panel{.title = "", .x = std::move(x), .y = std::move(y), .bands = {}, .curves = curves_}})
         .write(folder, name);
-    rectilin::draw(folder, name);
+    report::draw(folder, name);
   }
 
  private:
   std::vector<std::vector<Point>> columns_;
-  std::vector<Panel::Curve> curves_;
+  std::vector<report::Panel::Curve> curves_;
 };
 
 std::string with_exponent(const std::string& label, std::span<const Point> points, double least) {
@@ -62,7 +63,8 @@ std::string best_target(const Results& results) {
 
 void draw_time(const Results& results, const std::filesystem::path& folder) {
   Curves curves;
-  const auto add = [&](std::vector<Point> points, double calls, const char* label, LineStyle style, double least = 0) {
+  const auto add = [&](std::vector<Point> points, double calls, const char* label, report::LineStyle style,
+                       double least = 0) {
     for (Point& p : points) p.time *= 1e6 / calls;
     if (points.size() > 1) curves.add(points, with_exponent(label, points, least), style);
   };

@@ -1,4 +1,4 @@
-#include "sqlite.h"
+#include "rectilin/corpus/sqlite.h"
 
 #include <sqlite3.h>
 
@@ -33,6 +33,13 @@ Statement& Statement::bind(int parameter, std::int64_t x) {
   return *this;
 }
 
+Statement& Statement::bind(int parameter, std::span<const std::uint8_t> bytes) {
+  if (sqlite3_bind_blob64(statement_.get(), parameter, bytes.data() ? static_cast<const void*>(bytes.data()) : "",
+                          bytes.size(), SQLITE_STATIC) != SQLITE_OK)
+    database_.fail();
+  return *this;
+}
+
 bool Statement::step() {
   const int result = sqlite3_step(statement_.get());
   if (result == SQLITE_ROW) return true;
@@ -62,11 +69,19 @@ std::string_view Statement::text(int column) const {
               : std::string_view();
 }
 
+std::span<const std::uint8_t> Statement::bytes(int column) const {
+  const auto* bytes = static_cast<const std::uint8_t*>(sqlite3_column_blob(statement_.get(), column));
+  return bytes ? std::span(bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column)))
+               : std::span<const std::uint8_t>();
+}
+
 void Database::Close::operator()(sqlite3* database) const { sqlite3_close(database); }
 
 Database::Database(const std::filesystem::path& file, Mode mode) : name_(file.string()) {
   sqlite3* database = nullptr;
-  const int flags = mode == Mode::kRead ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  const int flags = mode == Mode::kRead   ? SQLITE_OPEN_READONLY
+                    : mode == Mode::kHeal ? SQLITE_OPEN_READWRITE
+                                          : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
   const int result = sqlite3_open_v2(file.c_str(), &database, flags | SQLITE_OPEN_NOMUTEX, nullptr);
   database_.reset(database);
   if (result != SQLITE_OK) fail();

@@ -8,7 +8,7 @@
 
 #include "rectilin/base/version.h"
 #include "store_access.h"
-#include "writer_lock.h"
+#include "rectilin/corpus/writer_lock.h"
 
 namespace rectilin::corpus {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rectilin/corpus/store.h"
-#include "sqlite.h"
+#include "rectilin/corpus/sqlite.h"
 
 namespace rectilin::corpus {
 

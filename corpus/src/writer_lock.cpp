@@ -1,18 +1,30 @@
-#include "writer_lock.h"
+#include "rectilin/corpus/writer_lock.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 
 namespace rectilin::corpus {
+namespace {
+
+// A process that a killed program was just starting holds its lock for a moment longer.
+constexpr int kAttempts = 40;
+constexpr std::chrono::milliseconds kPause(50);
+
+}  // namespace
 
 WriterLock::WriterLock(const std::filesystem::path& store)
     : file_(open((store.string() + "-lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
   if (file_ < 0) throw std::runtime_error(store.string() + ": cannot be written");
-  if (flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    if (flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+    std::this_thread::sleep_for(kPause);
+  }
   close(file_);
   throw std::runtime_error(store.string() + ": another program is writing to it");
 }

@@ -95,7 +95,8 @@ Box turned_best(const std::vector<Vector3>& points, const Rotation& frame, int k
   std::vector<Point> flat;
   for (const Vector3& p : points) flat.emplace_back(p.dot(x), p.dot(y));
   const auto [side, area] = least_rectangle(outline(std::move(flat)));
-  const Vector3 turn = std::atan2(side.y(), side.x()) * Vector3::Unit(k);
+  // Rows are axes: that of x becomes the side, cos x + sin y, if the matrix on the left turns the other way.
+  const Vector3 turn = -std::atan2(side.y(), side.x()) * Vector3::Unit(k);
   const Rotation rotation = Rotation::from_quaternion((rotation_from_vector(turn) * frame).quaternion());
   return {rotation, area * extent(points, frame.axis(k))};
 }

@@ -86,16 +86,17 @@ class Competitors {
     }
   }
 
-  const std::vector<Entry>& entries() const { return entries_; }
+  const std::vector<laboratory::Entry>& entries() const { return entries_; }
   const Registry& registry() const { return registry_; }
 
  private:
   void add_list(const std::string& text) {
-    for (Entry& entry : parse_entries({text}, {domain_}, registry_)) entries_.push_back(std::move(entry));
+    for (laboratory::Entry& entry : laboratory::parse_entries({text}, {domain_}, registry_))
+      entries_.push_back(std::move(entry));
   }
 
   void add_spec(std::string label, const std::string& spec) {
-    std::vector<Entry> entries = parse_entries({spec}, {domain_}, registry_);
+    std::vector<laboratory::Entry> entries = laboratory::parse_entries({spec}, {domain_}, registry_);
     if (entries.size() != 1) throw ParameterError("'" + label + "' is not one optimizer but '" + spec + "'");
     entries.front().label = std::move(label);
     entries_.push_back(std::move(entries.front()));
@@ -129,7 +130,7 @@ class Competitors {
   std::shared_ptr<AtWork> at_work_;
   Interrupt& interrupt_;
   Registry registry_ = all_optimizers();
-  std::vector<Entry> entries_;
+  std::vector<laboratory::Entry> entries_;
   std::set<std::string> names_;
 };
 
@@ -165,7 +166,7 @@ void beside(const Work& work, const Look& look) {
 
 struct Comparison {
   std::string folder;
-  ComparisonOutcome outcome;
+  laboratory::ComparisonOutcome outcome;
   std::vector<std::string> troubles;
 };
 
@@ -180,7 +181,7 @@ Comparison compare(py::handle problems, py::handle optimizers, py::object runs, 
   Competitors competitors(domain, at_work, interrupt);
   competitors.add_all(optimizers);
 
-  Plan plan;
+  laboratory::Plan plan;
   plan.meshes = meshes.names;
   plan.entries = competitors.entries();
   plan.runs = static_cast<int>(std::min<std::uint64_t>(whole_number(runs, "runs", 1).value_or(15), 1'000'000));
@@ -189,17 +190,17 @@ Comparison compare(py::handle problems, py::handle optimizers, py::object runs, 
   plan.certificate = certificate;
 
   std::mutex mutex;
-  ComparisonProgress now;
-  ComparisonSettings settings;
+  laboratory::ComparisonProgress now;
+  laboratory::ComparisonSettings settings;
   settings.stop = interrupt.token();
   settings.command_line = "rectilin.compare() in Python";
-  settings.on_progress = [&](const ComparisonProgress& state) {
+  settings.on_progress = [&](const laboratory::ComparisonProgress& state) {
     const std::lock_guard lock(mutex);
     now = state;
   };
   settings.load = [&](const std::string& name) {
     const auto problem = meshes.in_memory.find(name);
-    return problem == meshes.in_memory.end() ? load_compared_mesh(name) : compared(*problem->second);
+    return problem == meshes.in_memory.end() ? laboratory::load_compared_mesh(name) : compared(*problem->second);
   };
 
   Comparison result;
@@ -209,15 +210,15 @@ Comparison compare(py::handle problems, py::handle optimizers, py::object runs, 
     std::size_t told = 0;
     beside(
         [&] {
-          result.outcome = run_comparison(plan, result.folder, competitors.registry(), settings);
+          result.outcome = laboratory::run_comparison(plan, result.folder, competitors.registry(), settings);
           if (!result.outcome.complete) return;
-          result.troubles = write_report(result.folder).lines;
+          result.troubles = laboratory::write_report(result.folder).lines;
         },
         [&] {
           interrupt.poll();
           at_work->end_silent(patience, interrupt.token().stop_requested());
           if (progress.is_none() || interrupt.token().stop_requested()) return;
-          ComparisonProgress state;
+          laboratory::ComparisonProgress state;
           {
             const std::lock_guard lock(mutex);
             state = now;
@@ -257,8 +258,8 @@ py::list runs_of(const Comparison& c) {
 
 }  // namespace
 
-ComparedMesh compared(const Problem& problem) {
-  ComparedMesh mesh{problem.objective->vectors(), problem.faces, ""};
+laboratory::ComparedMesh compared(const Problem& problem) {
+  laboratory::ComparedMesh mesh{problem.objective->vectors(), problem.faces, ""};
   Fnv1a hash;
   for (const AlignedDoubles* component : {&mesh.vectors.x, &mesh.vectors.y, &mesh.vectors.z})
     for (const double x : *component) hash.add(x);
@@ -289,8 +290,8 @@ void bind_laboratory(py::module_& m) {
 
   m.def("compare", &compare, py::arg("problems"), py::arg("optimizers"), py::kw_only(), py::arg("runs") = 15,
         py::arg("budget") = 10000, py::arg("seed") = 1, py::arg("domain") = "covering",
-        py::arg("certificate") = Plan().certificate, py::arg("out") = "comparison", py::arg("threads") = py::none(),
-        py::arg("patience") = 60.0, py::arg("progress") = py::none(),
+        py::arg("certificate") = laboratory::Plan().certificate, py::arg("out") = "comparison",
+        py::arg("threads") = py::none(), py::arg("patience") = 60.0, py::arg("progress") = py::none(),
         R"(Compares optimizers and writes a page with the result.
 
 problems: sources (files, folders, shapes), Problems or meshes in a list, or a dict of them by name. optimizers: texts,

@@ -7,7 +7,7 @@
 namespace rectilin::python {
 
 /// A problem in memory as a comparison takes it; its digest is that of the area vectors.
-ComparedMesh compared(const Problem& problem);
+laboratory::ComparedMesh compared(const Problem& problem);
 
 void bind_laboratory(py::module_& m);
 void bind_suite(py::module_& m);

@@ -14,9 +14,9 @@ namespace {
 
 py::list list_suites() {
   py::list list;
-  for (const Suite& suite : suites()) {
+  for (const laboratory::Suite& suite : laboratory::suites()) {
     py::list problems;
-    for (const SuiteProblem& p : suite.problems)
+    for (const laboratory::SuiteProblem& p : suite.problems)
       problems.append(
           py::dict(py::arg("name") = p.name, py::arg("source") = p.source, py::arg("landscape") = p.landscape));
     list.append(py::dict(py::arg("name") = suite.name, py::arg("help") = suite.help, py::arg("problems") = problems));
@@ -26,7 +26,7 @@ py::list list_suites() {
 
 py::dict problems_of_suite(const std::string& name) {
   py::dict problems;
-  for (const SuiteProblem& p : suite_by_name(name).problems)
+  for (const laboratory::SuiteProblem& p : laboratory::suite_by_name(name).problems)
     problems[py::str(p.name)] = problem_of(py::str(p.source), py::none(), p.name);
   return problems;
 }
@@ -39,7 +39,7 @@ py::dict exported(const Problem& problem, double gap) {
   interrupt.attach(options.run);
   const Json json = without_gil(interrupt, [&] {
     const Rectilinearity optimum = measure(*problem.objective, options);
-    return problem_json(problem.objective->name(), "", compared(problem), optimum);
+    return laboratory::problem_json(problem.objective->name(), "", compared(problem), optimum);
   });
   py::dict result = to_python(json);
   const auto array = py::module_::import("numpy").attr("array");
@@ -71,12 +71,12 @@ std::size_t read_traces(py::handle folder, py::handle file, const std::optional<
     }
   const auto load = [&](const std::string& name) {
     const auto problem = in_memory.find(name);
-    return problem == in_memory.end() ? load_compared_mesh(name) : compared(*problem->second);
+    return problem == in_memory.end() ? laboratory::load_compared_mesh(name) : compared(*problem->second);
   };
   const std::string into = source_of(folder), from = source_of(file);
   const py::gil_scoped_release release;
-  const std::size_t runs = add_foreign_runs(into, read_whole_file(from), from, load);
-  write_report(into);
+  const std::size_t runs = laboratory::add_foreign_runs(into, read_whole_file(from), from, load);
+  laboratory::write_report(into);
   return runs;
 }
 

@@ -6,7 +6,7 @@
 #include "rectilin/base/printable.h"
 #include "rectilin/base/whole_file.h"
 
-namespace rectilin {
+namespace rectilin::report {
 
 Csv::Csv(std::vector<std::string> columns) : columns_(std::move(columns)) { line(columns_); }
 
@@ -40,4 +40,4 @@ void Csv::line(const std::vector<std::string>& cells) {
 
 void Csv::write(const std::filesystem::path& file) const { write_whole_file(file, text_); }
 
-}  // namespace rectilin
+}  // namespace rectilin::report

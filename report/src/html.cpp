@@ -4,7 +4,7 @@
 
 #include "rectilin/base/printable.h"
 
-namespace rectilin::html {
+namespace rectilin::report::html {
 namespace {
 
 constexpr const char* kStyle = R"(
@@ -144,4 +144,4 @@ std::string page(const std::string& title, const std::string& body) {
          body + "<script>" + kOpenForPrint + "</script>\n</body>\n</html>\n";
 }
 
-}  // namespace rectilin::html
+}  // namespace rectilin::report::html

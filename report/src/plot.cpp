@@ -22,7 +22,7 @@
 
 extern char** environ;
 
-namespace rectilin {
+namespace rectilin::report {
 namespace {
 
 constexpr std::array<const char*, LineStyle::kColours> kPalette = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
@@ -346,4 +346,4 @@ PictureTroubles draw_all(const std::filesystem::path& folder, const std::vector<
   return {{lines.begin(), lines.end()}, failed};
 }
 
-}  // namespace rectilin
+}  // namespace rectilin::report

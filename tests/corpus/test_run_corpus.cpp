@@ -33,6 +33,13 @@ std::size_t done_in(const std::filesystem::path& file) {
   }
 }
 
+/// It may still be waited for.
+bool has_ended(pid_t child) {
+  siginfo_t state = {};
+  waitid(P_PID, static_cast<id_t>(child), &state, WEXITED | WNOHANG | WNOWAIT);
+  return state.si_pid == child;
+}
+
 }  // namespace
 
 TEST_CASE("every mesh becomes a row, for any number of workers", "[corpus]") {
@@ -155,11 +162,13 @@ TEST_CASE("a run killed at fifty random moments ends as one that was left alone"
     // At any moment, while it starts included; or after a few meshes, so that it gets on, however slow the machine.
     if (kill_number % 2 == 1) {
       const std::size_t wanted = std::min(meshes.size(), done_in(file) + 1 + random.below(8));
-      while (done_in(file) < wanted) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      while (done_in(file) < wanted && !has_ended(child)) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     std::this_thread::sleep_for(std::chrono::duration<double>(random.uniform(0, 0.05)));
     kill(child, SIGKILL);
-    waitpid(child, nullptr, 0);
+    int status = 0;
+    waitpid(child, &status, 0);
+    REQUIRE((WIFSIGNALED(status) || WEXITSTATUS(status) == 0));
   }
   const std::size_t before = done_in(file);
   CHECK(before >= 25);  // kills do not keep a run from getting on

@@ -34,9 +34,9 @@ inline Registry test_registry() {
 }
 
 /// A run that had the gaps `gap` after `evaluations`, and ended after `spent`.
-inline RunResult run_with(std::size_t mesh, std::size_t entry, int index, std::vector<double> evaluations,
-                          std::vector<double> gap, double spent) {
-  RunResult run;
+inline laboratory::RunResult run_with(std::size_t mesh, std::size_t entry, int index, std::vector<double> evaluations,
+                                      std::vector<double> gap, double spent) {
+  laboratory::RunResult run;
   run.mesh = mesh;
   run.entry = entry;
   run.run = index;
@@ -49,8 +49,8 @@ inline RunResult run_with(std::size_t mesh, std::size_t entry, int index, std::v
   return run;
 }
 
-inline MeshResult mesh_with(const std::string& name, double lower, double upper) {
-  MeshResult mesh;
+inline laboratory::MeshResult mesh_with(const std::string& name, double lower, double upper) {
+  laboratory::MeshResult mesh;
   mesh.name = mesh.title = name;
   mesh.lower = lower;
   mesh.upper = upper;

@@ -14,7 +14,7 @@
 #include "rectilin/mesh/source.h"
 #include "support/catch.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 namespace {
 
 using test::mesh_with;
@@ -267,4 +267,4 @@ TEST_CASE("a summary of runs known by hand") {
 }
 
 }  // namespace
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

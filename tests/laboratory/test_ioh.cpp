@@ -6,7 +6,7 @@
 #include "rectilin/laboratory/ioh.h"
 #include "support/catch.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 namespace {
 
 using test::mesh_with;
@@ -99,4 +99,4 @@ TEST_CASE("IOHprofiler files") {
 }
 
 }  // namespace
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

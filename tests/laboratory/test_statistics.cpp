@@ -5,7 +5,7 @@
 #include "rectilin/laboratory/statistics.h"
 #include "support/catch.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -108,4 +108,4 @@ TEST_CASE("Holm's correction") {
 }
 
 }  // namespace
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

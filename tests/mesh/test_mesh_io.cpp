@@ -60,9 +60,10 @@ std::string binary_stl(const std::string& header, std::uint32_t claimed,
 // A polygon in the plane z = 0, as OBJ; (x, y) pairs.
 std::string polygon(const std::vector<std::pair<double, double>>& corners) {
   std::string text, face = "f";
+  std::size_t number = 0;
   for (const auto& [x, y] : corners) {
     text += "v " + std::to_string(x) + " " + std::to_string(y) + " 0\n";
-    face.append(" ").append(std::to_string(std::count(text.begin(), text.end(), 'v')));
+    face += " " + std::to_string(++number);
   }
   return text + face + "\n";
 }

@@ -18,7 +18,8 @@
 #include "support/catch.h"
 
 using namespace rectilin;
-using namespace rectilin::claims_detail;
+using namespace rectilin::paper;
+using namespace rectilin::paper::claims;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "support/catch.h"
 
 using namespace rectilin;
+using namespace rectilin::paper;
 using std::numbers::pi;
 
 namespace {

@@ -13,6 +13,7 @@
 #include "support/known_shapes.h"
 
 using namespace rectilin;
+using namespace rectilin::paper;
 
 namespace {
 

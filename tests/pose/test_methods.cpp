@@ -12,6 +12,7 @@
 #include "rectilin/pose/roundness.h"
 #include "rectilin/pose/summed_silhouette.h"
 #include "support/catch.h"
+#include "support/surface.h"
 
 using namespace rectilin;
 using namespace rectilin::test;
@@ -108,6 +109,22 @@ TEST_CASE("the least box round a regular tetrahedron is a cube", "[pose]") {
   const pose::Pose found = pose_of("box", moved(mesh, rotation_from_euler(0.3, 0.6, 0.9)));
   const double area = 8 * std::sqrt(3.0);  // four faces of edge 2 sqrt(2)
   CHECK(found.candidates.front().volume.value() * std::pow(area, 1.5) == Approx(8).epsilon(1e-6));
+}
+
+TEST_CASE("the volume of a box is that of the frame it comes with", "[pose]") {
+  Random random(15);
+  for (int i = 0; i < 4; ++i) {
+    const Mesh mesh = moved(random_mesh(random, 12), random_rotation(random));
+    const pose::Pose found = pose_of("box", mesh);
+    for (const pose::PoseCandidate& candidate : found.candidates) {
+      Vector3 lower = candidate.rotation.matrix() * mesh.vertices.front(), upper = lower;
+      for (const Vector3& v : mesh.vertices) {
+        lower = lower.cwiseMin(candidate.rotation.matrix() * v);
+        upper = upper.cwiseMax(candidate.rotation.matrix() * v);
+      }
+      CHECK(candidate.volume.value() * std::pow(surface(mesh), 1.5) == Approx((upper - lower).prod()).epsilon(1e-9));
+    }
+  }
 }
 
 TEST_CASE("bodies of revolution and spheres say so", "[pose]") {

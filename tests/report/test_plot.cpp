@@ -4,7 +4,7 @@
 #include "support/catch.h"
 #include "support/scratch_folder.h"
 
-namespace rectilin {
+namespace rectilin::report {
 namespace {
 
 constexpr const char* kGrey = "rgb(200, 200, 200)";
@@ -60,4 +60,4 @@ TEST_CASE("a figure that cannot be drawn is an error of one line") {
 }
 
 }  // namespace
-}  // namespace rectilin
+}  // namespace rectilin::report

@@ -78,7 +78,7 @@ std::vector<Comparison> compare_all(const std::vector<Result>& results, const Cl
       comparisons.push_back({i, j, retrieval::paired_difference(dcg[i], dcg[j], group), 1});
       p.push_back(comparisons.back().difference.p);
     }
-  const std::vector<double> corrected = holm(p);
+  const std::vector<double> corrected = laboratory::holm(p);
   for (std::size_t k = 0; k < p.size(); ++k) comparisons[k].corrected = corrected[k];
   return comparisons;
 }
@@ -203,7 +203,7 @@ class Run {
 }  // namespace
 
 Evaluation run_evaluation(const EvaluationPlan& plan, const fs::path& out, const EvaluationSettings& settings,
-                          PictureTroubles& troubles) {
+                          report::PictureTroubles& troubles) {
   if (plan.contestants.empty()) throw ParameterError("there is nothing to evaluate: no descriptor and no matrix");
   const bool describes = std::ranges::any_of(plan.contestants, [](const Contestant& c) { return !c.is_matrix; });
   if (describes && !plan.folder) throw ParameterError("descriptors need a folder of meshes");
@@ -211,7 +211,7 @@ Evaluation run_evaluation(const EvaluationPlan& plan, const fs::path& out, const
   fs::create_directories(out / "matrices");
   const FolderLock lock(out);
   Evaluation evaluation = run.go();
-  if (evaluation.complete) troubles = write_report(out, evaluation, provenance(settings.command_line));
+  if (evaluation.complete) troubles = write_report(out, evaluation, laboratory::provenance(settings.command_line));
   return evaluation;
 }
 

@@ -10,16 +10,16 @@
 namespace rectilin::evaluation {
 namespace {
 
-NamedPlot precision_recall(const Evaluation& evaluation) {
+report::NamedPlot precision_recall(const Evaluation& evaluation) {
   std::vector<std::string> columns{"recall"};
   for (const Result& r : evaluation.results) columns.push_back(r.contestant.label);
-  Csv data(columns);
+  report::Csv data(columns);
   for (std::size_t j = 0; j < retrieval::kRecalls; ++j) {
-    std::vector<Csv::Cell> row{static_cast<double>(j + 1) / static_cast<double>(retrieval::kRecalls)};
+    std::vector<report::Csv::Cell> row{static_cast<double>(j + 1) / static_cast<double>(retrieval::kRecalls)};
     for (const Result& r : evaluation.results) row.emplace_back(r.scores.precision[j]);
     data.row(row);
   }
-  Panel panel;
+  report::Panel panel;
   panel.x = {.label = "recall", .lower = 0, .upper = 1, .step = 0.2};
   panel.y = {.label = "precision", .lower = 0, .upper = 1, .step = 0.2};
   for (std::size_t i = 0; i < evaluation.results.size(); ++i) {
@@ -27,21 +27,21 @@ NamedPlot precision_recall(const Evaluation& evaluation) {
     panel.curves.push_back({.x = 1,
                             .y = k + 2,
                             .label = evaluation.results[i].contestant.label,
-                            .style = {k % LineStyle::kColours, k / LineStyle::kColours}});
+                            .style = {k % report::LineStyle::kColours, k / report::LineStyle::kColours}});
   }
   return {"precision-recall",
           "Mean precision at each recall. A query joins where one hit is not already a higher recall.",
-          Plot("", std::move(data), {panel})};
+          report::Plot("", std::move(data), {panel})};
 }
 
-NamedPlot class_map(const Evaluation& evaluation) {
-  HeatMap map;
+report::NamedPlot class_map(const Evaluation& evaluation) {
+  report::HeatMap map;
   map.title = "DCG by class";
   map.scale = "DCG";
   for (const Result& r : evaluation.results) map.columns.push_back(r.contestant.label);
   std::vector<std::string> columns{"class"};
   columns.insert(columns.end(), map.columns.begin(), map.columns.end());
-  Csv data(columns);
+  report::Csv data(columns);
   std::vector<std::size_t> order;
   for (std::size_t c = 0; c < evaluation.classes.classes.size(); ++c)
     if (evaluation.results[0].scores.classes[c].counts) order.push_back(c);
@@ -53,7 +53,7 @@ NamedPlot class_map(const Evaluation& evaluation) {
   std::ranges::stable_sort(order, std::greater<>(), best);
   for (const std::size_t c : order) {
     map.rows.push_back(evaluation.classes.classes[c].name);
-    std::vector<Csv::Cell> row{map.rows.back()};
+    std::vector<report::Csv::Cell> row{map.rows.back()};
     map.values.emplace_back();
     for (const Result& r : evaluation.results) {
       map.values.back().push_back(r.scores.classes[c].mean.dcg);
@@ -61,12 +61,12 @@ NamedPlot class_map(const Evaluation& evaluation) {
     }
     data.row(row);
   }
-  return {"classes", "Mean DCG of the queries of each class, by the best first.", Plot(std::move(data), map)};
+  return {"classes", "Mean DCG of the queries of each class, by the best first.", report::Plot(std::move(data), map)};
 }
 
 /// Nearest neighbours of the contestant with the largest DCG; classes that are always found, and found by none else,
 /// are left out. Nothing if no class is left.
-std::optional<NamedPlot> confusion_map(const Evaluation& evaluation) {
+std::optional<report::NamedPlot> confusion_map(const Evaluation& evaluation) {
   const auto best =
       std::ranges::max_element(evaluation.results, {}, [](const Result& r) { return r.scores.micro.dcg; });
   const auto counts = retrieval::confusion(best->matrix, evaluation.classes);
@@ -84,7 +84,7 @@ std::optional<NamedPlot> confusion_map(const Evaluation& evaluation) {
   if (shown.empty()) return std::nullopt;
   if (shown.size() > kMost) shown.resize(kMost);
   std::ranges::sort(shown);
-  HeatMap map;
+  report::HeatMap map;
   map.title = "Nearest neighbours by " + best->contestant.label;
   map.scale = "share of the row's queries";
   std::vector<std::string> columns{"class"};
@@ -93,9 +93,9 @@ std::optional<NamedPlot> confusion_map(const Evaluation& evaluation) {
     map.columns.push_back(map.rows.back());
     columns.push_back(map.rows.back());
   }
-  Csv data(columns);
+  report::Csv data(columns);
   for (const std::size_t a : shown) {
-    std::vector<Csv::Cell> row{evaluation.classes.classes[a].name};
+    std::vector<report::Csv::Cell> row{evaluation.classes.classes[a].name};
     map.values.emplace_back();
     const double all = static_cast<double>(evaluation.classes.classes[a].models.size());
     for (const std::size_t b : shown) {
@@ -105,17 +105,17 @@ std::optional<NamedPlot> confusion_map(const Evaluation& evaluation) {
     }
     data.row(row);
   }
-  return NamedPlot{
+  return report::NamedPlot{
       "confusion",
       "Class of the nearest model (column) by class of the query (row), for the classes with the most mistakes. "
       "White: never.",
-      Plot(std::move(data), map)};
+      report::Plot(std::move(data), map)};
 }
 
 }  // namespace
 
-std::vector<NamedPlot> figures(const Evaluation& evaluation) {
-  std::vector<NamedPlot> plots;
+std::vector<report::NamedPlot> figures(const Evaluation& evaluation) {
+  std::vector<report::NamedPlot> plots;
   const bool any = std::ranges::any_of(evaluation.results[0].scores.classes, [](const auto& c) { return c.counts; });
   if (!any) return plots;
   plots.push_back(precision_recall(evaluation));

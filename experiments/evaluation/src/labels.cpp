@@ -24,7 +24,7 @@ std::vector<std::string> split(const std::string& list) {
 }
 
 /// `LABEL=` before anything that belongs to the descriptor itself.
-LabelledSpec split_composite_label(std::string_view text) {
+laboratory::LabelledSpec split_composite_label(std::string_view text) {
   const std::size_t equals = text.find('='), inside = text.find_first_of("?*+");
   if (equals == std::string_view::npos || inside < equals) return {text, text};
   return {text.substr(0, equals), text.substr(equals + 1)};
@@ -45,7 +45,7 @@ std::vector<Contestant> parse_contestants(const std::vector<std::string>& lists)
   std::vector<Contestant> contestants;
   for (const std::string& list : lists)
     for (const std::string& item : split(list)) {
-      const LabelledSpec labelled = split_composite_label(item);
+      const laboratory::LabelledSpec labelled = split_composite_label(item);
       Contestant c{std::string(labelled.label), std::string(labelled.spec)};
       if (c.text.starts_with('@')) c.text = read_weights(c.text.substr(1));
       retrieval::make_descriptor(c.text);  // an error now rather than after an hour

@@ -9,7 +9,7 @@
 namespace rectilin::evaluation {
 namespace {
 
-using html::escape;
+using report::html::escape;
 using retrieval::named_measures;
 
 std::string printed(const char* format, double x) {
@@ -34,7 +34,7 @@ std::string introduction(const Evaluation& e) {
   std::size_t queries = 0, classes = 0;
   for (const auto& q : e.results[0].scores.queries) queries += q.counts;
   for (const auto& c : e.results[0].scores.classes) classes += c.counts;
-  std::string text = html::paragraph(
+  std::string text = report::html::paragraph(
       std::to_string(e.classes.models.size()) + " models; each of " + std::to_string(queries) + " in " +
       std::to_string(classes) +
       " classes of more than two was a query, ranked against all others. The measures are those of the Princeton Shape "
@@ -42,12 +42,13 @@ std::string introduction(const Evaluation& e) {
       "gain "
       "(DCG).");
   if (!e.missing.empty())
-    text += html::paragraph("<b>" + std::to_string(e.missing.size()) + " models have no mesh file:</b> " +
-                            listed(e.missing) + ".");
-  if (!e.errors.empty()) text += html::paragraph("<b>Meshes that failed:</b> " + listed(e.errors) + ".");
+    text += report::html::paragraph("<b>" + std::to_string(e.missing.size()) + " models have no mesh file:</b> " +
+                                    listed(e.missing) + ".");
+  if (!e.errors.empty()) text += report::html::paragraph("<b>Meshes that failed:</b> " + listed(e.errors) + ".");
   if (!e.small_classes.empty())
-    text += html::paragraph("Classes of one or two models, in no mean: " + listed(e.small_classes) + ".");
-  if (!e.empty_classes.empty()) text += html::paragraph("<b>Empty classes:</b> " + listed(e.empty_classes) + ".");
+    text += report::html::paragraph("Classes of one or two models, in no mean: " + listed(e.small_classes) + ".");
+  if (!e.empty_classes.empty())
+    text += report::html::paragraph("<b>Empty classes:</b> " + listed(e.empty_classes) + ".");
   return text;
 }
 
@@ -76,7 +77,7 @@ std::string scores_table(const Evaluation& e) {
     columns.back().push_back(percent(r.intervals.back().low) + " – " + percent(r.intervals.back().high));
   columns.push_back(column_cells(e.results, [](const Result& r) { return r.scores.macro.nearest; }));
   columns.push_back(column_cells(e.results, [](const Result& r) { return r.scores.macro.dcg; }));
-  html::Table table(header);
+  report::html::Table table(header);
   for (std::size_t i = 0; i < e.results.size(); ++i) {
     const Result& r = e.results[i];
     std::vector<std::string> row{escape(r.contestant.label)};
@@ -86,8 +87,8 @@ std::string scores_table(const Evaluation& e) {
     row.push_back(time_text(r.compare_seconds));
     table.row(row);
   }
-  return html::heading("Scores") +
-         html::paragraph(
+  return report::html::heading("Scores") +
+         report::html::paragraph(
              "Percent; means over the queries (micro), and over the classes of their means (macro). The "
              "interval is what DCG may be on other classes like these: a bootstrap over classes. Times are of "
              "one thread; a pose that several descriptors use is counted for the one that found it.") +
@@ -96,7 +97,7 @@ std::string scores_table(const Evaluation& e) {
 
 std::string tests_table(const Evaluation& e) {
   if (e.comparisons.empty()) return "";
-  html::Table table({"", "difference of DCG", "95 %", "p", "p corrected"});
+  report::html::Table table({"", "difference of DCG", "95 %", "p", "p corrected"});
   for (const Comparison& c : e.comparisons) {
     const bool forward = c.difference.mean >= 0;
     const auto& better = e.results[forward ? c.first : c.second].contestant.label;
@@ -109,50 +110,51 @@ std::string tests_table(const Evaluation& e) {
                printed("%.2f", 100 * low) + " – " + printed("%.2f", 100 * high), printed("%.2g", c.difference.p),
                c.corrected <= 0.05 ? "<span class=best>" + p + "</span>" : p});
   }
-  return html::heading("Is it luck?") +
-         html::paragraph(
+  return report::html::heading("Is it luck?") +
+         report::html::paragraph(
              "DCG of the same queries by two descriptors, in percent points. Queries of one class are not "
              "independent, so the test turns the signs of whole classes (randomisation), and the interval "
              "resamples classes. Corrected: for all pairs (Holm). Bold: p at most 0.05.") +
          table.text();
 }
 
-std::string pictures(const std::vector<NamedPlot>& plots, const std::filesystem::path& out) {
+std::string pictures(const std::vector<report::NamedPlot>& plots, const std::filesystem::path& out) {
   std::string text;
-  for (const NamedPlot& plot : plots) {
+  for (const report::NamedPlot& plot : plots) {
     const std::string base = "plots/" + plot.name;
     const std::string files =
-        "Data: " + html::link(base + ".csv", "CSV") + ", " + html::link(base + ".gp", "gnuplot") + ".";
+        "Data: " + report::html::link(base + ".csv", "CSV") + ", " + report::html::link(base + ".gp", "gnuplot") + ".";
     if (std::filesystem::exists(out / (base + ".svg")))
-      text += html::picture(base + ".svg", plot.caption, files, plot.plot.width());
-    else text += html::paragraph("(No picture.) " + escape(plot.caption) + " " + files);
+      text += report::html::picture(base + ".svg", plot.caption, files, plot.plot.width());
+    else text += report::html::paragraph("(No picture.) " + escape(plot.caption) + " " + files);
   }
-  return text.empty() ? text : html::heading("Pictures") + text;
+  return text.empty() ? text : report::html::heading("Pictures") + text;
 }
 
 std::string what_they_are(const Evaluation& e) {
-  html::Table table({"", "is", "distance", "does not depend on"});
+  report::html::Table table({"", "is", "distance", "does not depend on"});
   for (const Result& r : e.results)
     table.row({escape(r.contestant.label), (r.contestant.is_matrix ? "matrix " : "") + escape(r.contestant.text),
                escape(r.distance), escape(r.invariant)});
-  return html::heading("What was compared") + table.text();
+  return report::html::heading("What was compared") + table.text();
 }
 
 }  // namespace
 
 std::string percent(double x) { return std::isnan(x) ? "–" : printed("%.1f", 100 * x); }
 
-std::string page(const Evaluation& e, const std::vector<NamedPlot>& plots, const std::filesystem::path& out,
+std::string page(const Evaluation& e, const std::vector<report::NamedPlot>& plots, const std::filesystem::path& out,
                  const Json& provenance) {
-  const std::string files = html::paragraph(
-      "Files: " + html::link("summary.json", "summary.json") + ", " + html::link("scores.csv", "scores") + ", " +
-      html::link("classes.csv", "classes") + ", " + html::link("queries.csv", "queries") + ", " +
-      html::link("tests.csv", "tests") + ", " + html::link("confusion.csv", "confusion") + "; " +
-      html::link("matrices/", "matrices") + " in the benchmark's format.");
-  return html::page(
+  const std::string files = report::html::paragraph(
+      "Files: " + report::html::link("summary.json", "summary.json") + ", " +
+      report::html::link("scores.csv", "scores") + ", " + report::html::link("classes.csv", "classes") + ", " +
+      report::html::link("queries.csv", "queries") + ", " + report::html::link("tests.csv", "tests") + ", " +
+      report::html::link("confusion.csv", "confusion") + "; " + report::html::link("matrices/", "matrices") +
+      " in the benchmark's format.");
+  return report::html::page(
       "Shape retrieval",
       introduction(e) + scores_table(e) + tests_table(e) + pictures(plots, out) + what_they_are(e) + files +
-          html::details("Where these numbers come from", "<pre>" + escape(to_text(provenance, 1)) + "</pre>"));
+          report::html::details("Where these numbers come from", "<pre>" + escape(to_text(provenance, 1)) + "</pre>"));
 }
 
 }  // namespace rectilin::evaluation

@@ -28,15 +28,16 @@ std::vector<std::string> with_measures(std::vector<std::string> columns, const s
   return columns;
 }
 
-void add_measures(std::vector<Csv::Cell>& row, const retrieval::Measures& measures) {
+void add_measures(std::vector<report::Csv::Cell>& row, const retrieval::Measures& measures) {
   for (const auto& m : named_measures()) row.emplace_back(measures.*m.value);
 }
 
-Csv scores_csv(const Evaluation& evaluation) {
-  Csv table(with_measures(
+report::Csv scores_csv(const Evaluation& evaluation) {
+  report::Csv table(with_measures(
       with_measures({"label", "descriptor", "bytes", "describe_seconds", "compare_seconds"}, "micro_"), "macro_"));
   for (const Result& r : evaluation.results) {
-    std::vector<Csv::Cell> row{r.contestant.label, r.contestant.text, r.bytes, r.describe_seconds, r.compare_seconds};
+    std::vector<report::Csv::Cell> row{r.contestant.label, r.contestant.text, r.bytes, r.describe_seconds,
+                                       r.compare_seconds};
     add_measures(row, r.scores.micro);
     add_measures(row, r.scores.macro);
     table.row(row);
@@ -44,41 +45,42 @@ Csv scores_csv(const Evaluation& evaluation) {
   return table;
 }
 
-Csv classes_table(const Evaluation& evaluation) {
-  Csv table(with_measures({"label", "class", "models", "in_means"}));
+report::Csv classes_table(const Evaluation& evaluation) {
+  report::Csv table(with_measures({"label", "class", "models", "in_means"}));
   for (const Result& r : evaluation.results)
     for (std::size_t c = 0; c < r.scores.classes.size(); ++c) {
       const auto& score = r.scores.classes[c];
-      std::vector<Csv::Cell> row{r.contestant.label, evaluation.classes.path(c), score.models, score.counts ? 1 : 0};
+      std::vector<report::Csv::Cell> row{r.contestant.label, evaluation.classes.path(c), score.models,
+                                         score.counts ? 1 : 0};
       add_measures(row, score.mean);
       table.row(row);
     }
   return table;
 }
 
-Csv queries_table(const Evaluation& evaluation) {
-  Csv table(with_measures({"label", "model", "class", "in_means"}));
+report::Csv queries_table(const Evaluation& evaluation) {
+  report::Csv table(with_measures({"label", "model", "class", "in_means"}));
   for (const Result& r : evaluation.results)
     for (std::size_t q = 0; q < r.scores.queries.size(); ++q) {
       const auto& score = r.scores.queries[q];
-      std::vector<Csv::Cell> row{r.contestant.label, evaluation.classes.models[q],
-                                 evaluation.classes.path(evaluation.classes.class_of[q]), score.counts ? 1 : 0};
+      std::vector<report::Csv::Cell> row{r.contestant.label, evaluation.classes.models[q],
+                                         evaluation.classes.path(evaluation.classes.class_of[q]), score.counts ? 1 : 0};
       add_measures(row, score.measures);
       table.row(row);
     }
   return table;
 }
 
-Csv tests_csv(const Evaluation& evaluation) {
-  Csv table({"first", "second", "dcg_difference", "low", "high", "p", "p_holm"});
+report::Csv tests_csv(const Evaluation& evaluation) {
+  report::Csv table({"first", "second", "dcg_difference", "low", "high", "p", "p_holm"});
   for (const Comparison& c : evaluation.comparisons)
     table.row({evaluation.results[c.first].contestant.label, evaluation.results[c.second].contestant.label,
                c.difference.mean, c.difference.low, c.difference.high, c.difference.p, c.corrected});
   return table;
 }
 
-Csv confusion_table(const Evaluation& evaluation) {
-  Csv table({"label", "class", "nearest_is_of", "queries"});
+report::Csv confusion_table(const Evaluation& evaluation) {
+  report::Csv table({"label", "class", "nearest_is_of", "queries"});
   for (const Result& r : evaluation.results) {
     const auto counts = retrieval::confusion(r.matrix, evaluation.classes);
     for (std::size_t a = 0; a < counts.size(); ++a)
@@ -137,21 +139,21 @@ Json summary(const Evaluation& evaluation, const Json& provenance) {
           {"provenance", provenance}};
 }
 
-PictureTroubles write_report(const fs::path& out, const Evaluation& evaluation, const Json& provenance) {
+report::PictureTroubles write_report(const fs::path& out, const Evaluation& evaluation, const Json& provenance) {
   scores_csv(evaluation).write(out / "scores.csv");
   classes_table(evaluation).write(out / "classes.csv");
   queries_table(evaluation).write(out / "queries.csv");
   tests_csv(evaluation).write(out / "tests.csv");
   confusion_table(evaluation).write(out / "confusion.csv");
   write_whole_file(out / "summary.json", to_text(summary(evaluation, provenance), 1) + '\n');
-  const std::vector<NamedPlot> plots = figures(evaluation);
+  const std::vector<report::NamedPlot> plots = figures(evaluation);
   fs::create_directories(out / "plots");
   std::vector<std::string> names;
-  for (const NamedPlot& plot : plots) {
+  for (const report::NamedPlot& plot : plots) {
     plot.plot.write(out / "plots", plot.name);
     names.push_back(plot.name);
   }
-  const PictureTroubles troubles = draw_all(out / "plots", names);
+  const report::PictureTroubles troubles = report::draw_all(out / "plots", names);
   write_whole_file(out / "index.html", page(evaluation, plots, out, provenance));
   return troubles;
 }

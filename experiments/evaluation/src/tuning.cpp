@@ -96,7 +96,7 @@ TuningOutcome tune_composite(const TuningPlan& plan, const Evaluation& evaluatio
                        {"folds", plan.folds},
                        {"seed", plan.seed},
                        {"models", evaluation.classes.models.size()},
-                       {"provenance", provenance(settings.command_line)}};
+                       {"provenance", laboratory::provenance(settings.command_line)}};
   write_whole_file(out / "tuning.json", to_text(origin, 1) + '\n');
   write_weights(out / "weights.json", specs, chosen.weights,
                 {{"dcg", chosen.score}, {"dcg_unseen_classes", chosen_unseen}});

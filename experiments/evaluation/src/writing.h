@@ -15,13 +15,13 @@ namespace rectilin::evaluation {
 void write_result(const std::filesystem::path& out, const Result& result, const retrieval::Classification& classes);
 
 /// Everything else; lines about pictures that could not be drawn.
-PictureTroubles write_report(const std::filesystem::path& out, const Evaluation& evaluation,
-                                      const Json& provenance);
+report::PictureTroubles write_report(const std::filesystem::path& out, const Evaluation& evaluation,
+                                     const Json& provenance);
 
 Json summary(const Evaluation& evaluation, const Json& provenance);
-std::vector<NamedPlot> figures(const Evaluation& evaluation);
-std::string page(const Evaluation& evaluation, const std::vector<NamedPlot>& plots, const std::filesystem::path& out,
-                 const Json& provenance);
+std::vector<report::NamedPlot> figures(const Evaluation& evaluation);
+std::string page(const Evaluation& evaluation, const std::vector<report::NamedPlot>& plots,
+                 const std::filesystem::path& out, const Json& provenance);
 
 /// x in percent with one digit behind the point; a dash if it is not a number.
 std::string percent(double x);

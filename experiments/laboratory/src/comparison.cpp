@@ -22,7 +22,7 @@
 #include "rectilin/mesh/source.h"
 #include "turned_objective.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 namespace {
 
 namespace fs = std::filesystem;
@@ -304,4 +304,4 @@ ComparisonOutcome run_comparison(const Plan& plan, const fs::path& folder, const
   return Comparison(plan, folder, registry, settings).go(meshes, runs);
 }
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

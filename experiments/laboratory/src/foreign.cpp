@@ -10,7 +10,7 @@
 #include "rectilin/laboratory/results.h"
 #include "rectilin/laboratory/suite.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 namespace {
 
 namespace fs = std::filesystem;
@@ -195,4 +195,4 @@ std::size_t add_foreign_runs(const fs::path& folder, std::string_view text, cons
   return count;
 }
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

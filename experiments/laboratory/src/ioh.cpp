@@ -6,7 +6,7 @@
 #include "rectilin/base/whole_file.h"
 #include "rectilin/laboratory/plots.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 namespace {
 
 constexpr const char* kVersion = "0.3.17";  // of the format: readers look for at least 0.3.3
@@ -91,4 +91,4 @@ void export_ioh(const Results& results, const std::filesystem::path& folder) {
   }
 }
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

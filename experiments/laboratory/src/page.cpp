@@ -4,13 +4,13 @@
 #include "rectilin/laboratory/plots.h"
 #include "rectilin/report/html.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 namespace {
 
-using html::escape;
-using html::heading;
-using html::link;
-using html::paragraph;
+using report::html::escape;
+using report::html::heading;
+using report::html::link;
+using report::html::paragraph;
 
 std::string picture(const PageImage& figure, const std::filesystem::path& folder) {
   if (figure.name.empty()) return "";  // no mesh could be measured
@@ -18,7 +18,7 @@ std::string picture(const PageImage& figure, const std::filesystem::path& folder
   const std::string files = "Data: " + link(base + ".csv", "CSV") + ", " + link(base + ".gp", "gnuplot") + ".";
   if (!std::filesystem::exists(folder / (base + ".svg")))
     return paragraph("(No picture.) " + escape(figure.caption) + " " + files);
-  return html::picture(base + ".svg", figure.caption, files, figure.width);
+  return report::html::picture(base + ".svg", figure.caption, files, figure.width);
 }
 
 std::string introduction(const Results& results) {
@@ -55,9 +55,9 @@ std::string mesh_sections(const Results& results, const PageFigures& figures, co
     if (!mesh.error.empty()) continue;
     const PageFigures::OfMesh& own = figures.meshes[shown++];
     text += "<h3>" + escape(mesh.title) + "</h3>\n" +
-            html::side_by_side(picture(own.evaluations, folder) + picture(own.seconds, folder)) +
-            html::details("Bands, one panel an optimizer",
-                          picture(own.evaluation_bands, folder) + picture(own.second_bands, folder));
+            report::html::side_by_side(picture(own.evaluations, folder) + picture(own.seconds, folder)) +
+            report::html::details("Bands, one panel an optimizer",
+                                  picture(own.evaluation_bands, folder) + picture(own.second_bands, folder));
   }
   return text;
 }
@@ -82,10 +82,10 @@ std::string comparison_page(const Results& results, const Summary& summary, cons
                             const Json& provenance, const std::filesystem::path& folder) {
   std::string body = introduction(results);
   body += heading("Who wins") + standings_html(results, summary);
-  body += html::side_by_side(picture(figures.runtimes, folder) + picture(figures.runtimes_seconds, folder) +
-                             picture(figures.profile, folder));
+  body += report::html::side_by_side(picture(figures.runtimes, folder) + picture(figures.runtimes_seconds, folder) +
+                                     picture(figures.profile, folder));
   body += heading("Targets") + targets_html(results, summary) +
-          html::details("Expected running time by mesh", mesh_targets_html(results, summary));
+          report::html::details("Expected running time by mesh", mesh_targets_html(results, summary));
   body += heading("Where it is hard") + picture(figures.heat, folder);
   body += heading("Is the difference more than chance?") + tests_html(results, summary);
   body += domains_html(results, summary) + genetic_html(results);
@@ -94,9 +94,10 @@ std::string comparison_page(const Results& results, const Summary& summary, cons
   body += heading("Convergence") + mesh_sections(results, figures, folder);
   body += heading("Failures") + failures_html(results);
   body += heading("Files") + files_html();
-  body += heading("Provenance") + html::details("Versions, processor, parameters, seeds, command lines",
-                                                "<pre>" + html::escape_lines(to_text(provenance, 2)) + "</pre>\n");
-  return html::page("Comparison of optimizers", body);
+  body += heading("Provenance") +
+          report::html::details("Versions, processor, parameters, seeds, command lines",
+                                "<pre>" + report::html::escape_lines(to_text(provenance, 2)) + "</pre>\n");
+  return report::html::page("Comparison of optimizers", body);
 }
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

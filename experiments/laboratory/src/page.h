@@ -7,7 +7,7 @@
 
 #include "rectilin/laboratory/summary.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 
 /// A picture of the page: SVG, CSV and gnuplot files of this name stand in the folder plots/.
 struct PageImage {
@@ -28,4 +28,4 @@ struct PageFigures {
 std::string comparison_page(const Results& results, const Summary& summary, const PageFigures& figures,
                             const Json& provenance, const std::filesystem::path& folder);
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

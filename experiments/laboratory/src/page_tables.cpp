@@ -10,12 +10,12 @@
 #include "rectilin/optim/evaluator.h"
 #include "rectilin/report/html.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 namespace {
 
-using html::escape;
-using html::paragraph;
-using html::Table;
+using report::html::escape;
+using report::html::paragraph;
+using report::html::Table;
 
 std::string printed(const char* format, double x) {
   if (std::isnan(x)) return "<span class=\"none\">-</span>";
@@ -37,10 +37,10 @@ std::string best(bool is_best, const std::string& html) {
 
 /// The label behind the line that stands for it in plots.
 std::string entry_name(const Results& results, std::size_t entry) {
-  const LineStyle style = styles(results.plan)[entry];
+  const report::LineStyle style = styles(results.plan)[entry];
   return "<svg class=\"line\" viewBox=\"0 0 28 9\" aria-hidden=\"true\"><line x2=\"28\" y1=\"5\" y2=\"5\" "
          "stroke-width=\"3\" stroke=\"" +
-         hex_colour(style.colour) + "\" stroke-dasharray=\"" + dash_pattern(style.dash) + "\"/></svg>" +
+         report::hex_colour(style.colour) + "\" stroke-dasharray=\"" + report::dash_pattern(style.dash) + "\"/></svg>" +
          escape(results.plan.entries[entry].label);
 }
 
@@ -208,7 +208,7 @@ std::string domains_html(const Results& results, const Summary& summary) {
                gap_text(summary.standings.back()[e].gap)});
   }
   if (!any) return "";
-  return html::heading("What a domain costs") + table.text() +
+  return report::html::heading("What a domain costs") + table.text() +
          paragraph(
              "paper: the box [0, 90]<sup>3</sup> degrees (eq. 28), which misses a quarter of all orientations, so "
              "that no search of it can succeed on every instance; covering: [0, 180] x [0, 90]<sup>2</sup>, twice as "
@@ -242,7 +242,7 @@ std::string genetic_html(const Results& results) {
                percent(share_of(longer, rises(1e-6)))});
   }
   if (!any) return "";
-  return html::heading("The paper's genetic algorithm") + table.text() +
+  return report::html::heading("The paper's genetic algorithm") + table.text() +
          paragraph(
              "The paper finds R stable after about 150 generations (Fig. 6). The last columns say how many runs "
              "still raised R by more than that much after generation 150.");
@@ -295,4 +295,4 @@ std::string failures_html(const Results& results) {
   return items.empty() ? paragraph("None.") : "<ul>\n" + items + "</ul>\n";
 }
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

@@ -5,7 +5,7 @@
 
 #include "rectilin/laboratory/summary.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 
 /// A whole number with commas between thousands.
 std::string whole_number(double x);
@@ -37,4 +37,4 @@ std::string meshes_html(const Results& results);
 /// Runs that failed and meshes that could not be measured; says so if there are none.
 std::string failures_html(const Results& results);
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

@@ -6,7 +6,7 @@
 
 #include "rectilin/base/fnv1a.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 namespace {
 
 std::vector<std::string> split_list(const std::string& text) {
@@ -114,4 +114,4 @@ Instance instance(std::uint64_t seed, std::string_view mesh, int run) {
   return result;
 }
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

@@ -9,7 +9,7 @@
 
 #include "rectilin/base/printable.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -44,7 +44,7 @@ std::vector<const RunResult*> runs_on(const Results& results, std::size_t mesh) 
 }
 
 /// A column of costs, and the columns low, median, high of each entry.
-Csv convergence_table(const Results& results, std::size_t mesh, Cost unit) {
+report::Csv convergence_table(const Results& results, std::size_t mesh, Cost unit) {
   std::vector<std::string> columns = {unit_name(unit)};
   std::vector<std::vector<const RunResult*>> runs;
   for (std::size_t e = 0; e < results.plan.entries.size(); ++e) {
@@ -52,9 +52,9 @@ Csv convergence_table(const Results& results, std::size_t mesh, Cost unit) {
     for (const char* which : {" 10 %", " median", " 90 %"}) columns.push_back(label + which);
     runs.push_back(results.of(mesh, e));
   }
-  Csv table(columns);
+  report::Csv table(columns);
   for (const double cost : cost_grid(runs_on(results, mesh), unit)) {
-    std::vector<Csv::Cell> row = {cost};
+    std::vector<report::Csv::Cell> row = {cost};
     for (const auto& of_entry : runs) {
       std::vector<double> gaps;
       for (const RunResult* run : of_entry) gaps.push_back(run->trace.gap_after(unit, cost));
@@ -66,11 +66,11 @@ Csv convergence_table(const Results& results, std::size_t mesh, Cost unit) {
 }
 
 /// Coordinates that hold all gaps on the mesh.
-Panel convergence_axes(const Results& results, std::size_t mesh, Cost unit) {
+report::Panel convergence_axes(const Results& results, std::size_t mesh, Cost unit) {
   double least = 0.1;
   const auto runs = runs_on(results, mesh);
   for (const RunResult* run : runs) least = std::min(least, run->trace.final_gap());
-  Panel panel;
+  report::Panel panel;
   const std::vector<double> grid = cost_grid(runs, unit);
   panel.x = {unit_name(unit), true, grid.empty() ? 0 : grid.front(), grid.empty() ? 0 : grid.back()};
   panel.y = {"gap", true, least / 3, 2};
@@ -94,28 +94,28 @@ std::vector<double> runtimes(const Results& results, std::size_t entry, Cost uni
 }
 
 /// One panel with a step curve of shares for each entry; `sorted` are the values whose distribution it is.
-NamedPlot distribution_plot(const Results& results, const std::string& name, const std::string& title, const Axis& x,
-                            const std::string& share, const std::vector<double>& grid,
-                            const std::vector<std::vector<double>>& sorted) {
+report::NamedPlot distribution_plot(const Results& results, const std::string& name, const std::string& title,
+                                    const report::Axis& x, const std::string& share, const std::vector<double>& grid,
+                                    const std::vector<std::vector<double>>& sorted) {
   std::vector<std::string> columns = {x.label};
-  Panel panel;
+  report::Panel panel;
   panel.x = x;
   panel.y = {share, false, 0, 1};
-  const std::vector<LineStyle> style = styles(results.plan);
+  const std::vector<report::LineStyle> style = styles(results.plan);
   for (std::size_t e = 0; e < sorted.size(); ++e) {
     columns.push_back(results.plan.entries[e].label);
     panel.curves.push_back({1, static_cast<int>(e) + 2, columns.back(), style[e], true});
   }
-  Csv table(columns);
+  report::Csv table(columns);
   for (const double at : grid) {
-    std::vector<Csv::Cell> row = {at};
+    std::vector<report::Csv::Cell> row = {at};
     for (const auto& values : sorted)
       row.push_back(values.empty() ? kNone
                                    : static_cast<double>(std::ranges::upper_bound(values, at) - values.begin()) /
                                          static_cast<double>(values.size()));
     table.row(row);
   }
-  return {name, "", Plot(title, table, {panel})};
+  return {name, "", report::Plot(title, table, {panel})};
 }
 
 }  // namespace
@@ -149,7 +149,7 @@ std::vector<std::string> unique_slugs(const std::vector<std::string>& texts) {
   return result;
 }
 
-std::vector<LineStyle> styles(const Plan& plan) {
+std::vector<report::LineStyle> styles(const Plan& plan) {
   std::map<std::string, int> optimizers, variants;  // in order of appearance
   int most = 1;
   for (const Entry& entry : plan.entries) {
@@ -157,30 +157,31 @@ std::vector<LineStyle> styles(const Plan& plan) {
     most = std::max(most, ++variants[entry.spec]);
   }
   variants.clear();
-  std::vector<LineStyle> result;
+  std::vector<report::LineStyle> result;
   for (const Entry& entry : plan.entries) {
     const int i = optimizers[entry.spec];
-    result.push_back({i % LineStyle::kColours, i / LineStyle::kColours * most + variants[entry.spec]++});
+    result.push_back(
+        {i % report::LineStyle::kColours, i / report::LineStyle::kColours * most + variants[entry.spec]++});
   }
   return result;
 }
 
-NamedPlot convergence_plot(const Results& results, std::size_t mesh, Cost unit) {
-  Panel panel = convergence_axes(results, mesh, unit);
-  const std::vector<LineStyle> style = styles(results.plan);
+report::NamedPlot convergence_plot(const Results& results, std::size_t mesh, Cost unit) {
+  report::Panel panel = convergence_axes(results, mesh, unit);
+  const std::vector<report::LineStyle> style = styles(results.plan);
   for (std::size_t e = 0; e < results.plan.entries.size(); ++e)
     panel.curves.push_back({1, 3 * static_cast<int>(e) + 3, results.plan.entries[e].label, style[e]});
   return {convergence_name(results, mesh, unit, "convergence"), "Median gap against " + unit_name(unit) + ".",
-          Plot(results.meshes[mesh].title + ": median gap", convergence_table(results, mesh, unit), {panel})};
+          report::Plot(results.meshes[mesh].title + ": median gap", convergence_table(results, mesh, unit), {panel})};
 }
 
-NamedPlot band_plot(const Results& results, std::size_t mesh, Cost unit) {
-  const Panel axes = convergence_axes(results, mesh, unit);
-  const std::vector<LineStyle> style = styles(results.plan);
-  std::vector<Panel> panels;
+report::NamedPlot band_plot(const Results& results, std::size_t mesh, Cost unit) {
+  const report::Panel axes = convergence_axes(results, mesh, unit);
+  const std::vector<report::LineStyle> style = styles(results.plan);
+  std::vector<report::Panel> panels;
   const int entries = static_cast<int>(results.plan.entries.size());
   for (int e = 0; e < entries; ++e) {
-    Panel& panel = panels.emplace_back(axes);
+    report::Panel& panel = panels.emplace_back(axes);
     panel.title = results.plan.entries[e].label;
     panel.x.label.clear();
     panel.y.label.clear();
@@ -192,26 +193,27 @@ NamedPlot band_plot(const Results& results, std::size_t mesh, Cost unit) {
   return {convergence_name(results, mesh, unit, "bands"),
           "The same, one panel an optimizer: median and the band from the 10 % to the 90 % quantile; grey: the "
           "medians of the others.",
-          Plot(results.meshes[mesh].title + ": gap against " + unit_name(unit), convergence_table(results, mesh, unit),
-               panels, std::min(4, std::max(2, entries)))};
+          report::Plot(results.meshes[mesh].title + ": gap against " + unit_name(unit),
+                       convergence_table(results, mesh, unit), panels, std::min(4, std::max(2, entries)))};
 }
 
-NamedPlot runtime_plot(const Results& results, Cost unit) {
+report::NamedPlot runtime_plot(const Results& results, Cost unit) {
   std::vector<const RunResult*> runs;
   for (const RunResult& run : results.runs) runs.push_back(&run);
   const std::vector<double> grid = cost_grid(runs, unit);
   std::vector<std::vector<double>> costs;
   for (std::size_t e = 0; e < results.plan.entries.size(); ++e) costs.push_back(runtimes(results, e, unit));
-  Axis x{unit_name(unit), true, grid.empty() ? 0 : grid.front(), grid.empty() ? 0 : grid.back()};
-  NamedPlot plot = distribution_plot(results, "runtimes-" + unit_name(unit), "Runtimes over all meshes and targets", x,
-                                     "share of runs and targets", grid, costs);
+  report::Axis x{unit_name(unit), true, grid.empty() ? 0 : grid.front(), grid.empty() ? 0 : grid.back()};
+  report::NamedPlot plot =
+      distribution_plot(results, "runtimes-" + unit_name(unit), "Runtimes over all meshes and targets", x,
+                        "share of runs and targets", grid, costs);
   plot.caption =
       "Share of all pairs of a run and a target (gaps of 0.32, 0.1, 0.032, ... 1e-9) reached within so many " +
       unit_name(unit) + ".";
   return plot;
 }
 
-NamedPlot profile_plot(const Results& results, const Summary& summary) {
+report::NamedPlot profile_plot(const Results& results, const Summary& summary) {
   const std::size_t entries = results.plan.entries.size();
   std::vector<std::vector<double>> ratios(entries);
   double largest = 10;
@@ -231,17 +233,17 @@ NamedPlot profile_plot(const Results& results, const Summary& summary) {
   std::vector<double> grid;
   constexpr int kPoints = 160;
   for (int i = 0; i <= kPoints; ++i) grid.push_back(std::pow(largest, static_cast<double>(i) / kPoints));
-  NamedPlot plot = distribution_plot(results, "profile", "Performance profile",
-                                     {"factor of the best expected running time", true, 1, largest},
-                                     "share of problems", grid, ratios);
+  report::NamedPlot plot = distribution_plot(results, "profile", "Performance profile",
+                                             {"factor of the best expected running time", true, 1, largest},
+                                             "share of problems", grid, ratios);
   plot.caption =
       "Share of the problems (a mesh and a target) on which an optimizer's expected running time is within a factor "
       "of the best optimizer's. Left end: how often it is the best; right end: how much it solves at all.";
   return plot;
 }
 
-NamedPlot heat_plot(const Results& results, const Summary& summary) {
-  HeatMap map{"Median final gap", "log10 of the gap", {}, {}, {}};
+report::NamedPlot heat_plot(const Results& results, const Summary& summary) {
+  report::HeatMap map{"Median final gap", "log10 of the gap", {}, {}, {}};
   std::vector<std::size_t> shown;
   std::vector<std::string> header = {"optimizer"};
   for (std::size_t mesh = 0; mesh < results.meshes.size(); ++mesh) {
@@ -250,11 +252,11 @@ NamedPlot heat_plot(const Results& results, const Summary& summary) {
     map.columns.push_back(results.meshes[mesh].title);
     header.push_back(results.meshes[mesh].title);
   }
-  Csv table(header);
+  report::Csv table(header);
   for (const std::size_t e : summary.order(summary.budgets.size() - 1)) {
     map.rows.push_back(results.plan.entries[e].label);
     std::vector<double>& values = map.values.emplace_back();
-    std::vector<Csv::Cell> row = {results.plan.entries[e].label};
+    std::vector<report::Csv::Cell> row = {results.plan.entries[e].label};
     for (const std::size_t mesh : shown) {
       values.push_back(std::log10(summary.cells[e][mesh].median));
       row.push_back(values.back());
@@ -262,7 +264,7 @@ NamedPlot heat_plot(const Results& results, const Summary& summary) {
     table.row(row);
   }
   return {"heat", "log10 of the median final gap; optimizers by their mean rank, the best at the top.",
-          Plot(table, map)};
+          report::Plot(table, map)};
 }
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

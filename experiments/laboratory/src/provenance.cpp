@@ -11,7 +11,7 @@
 #include "rectilin/base/whole_file.h"
 #include "rectilin/optim/adapters/all_optimizers.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 namespace {
 
 std::string dotted(int a, int b, int c) {
@@ -80,4 +80,4 @@ void record_start(const Plan& plan, const Registry& registry, const std::filesys
   write_whole_file(file, to_text(all, 2) + '\n');
 }
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

@@ -11,13 +11,13 @@
 #include "rectilin/laboratory/summary.h"
 #include "rectilin/report/csv.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<Csv::Cell> rotation_cells(const Rotation& rotation) {
-  std::vector<Csv::Cell> cells;
+std::vector<report::Csv::Cell> rotation_cells(const Rotation& rotation) {
+  std::vector<report::Csv::Cell> cells;
   for (int k = 0; k < 9; ++k) cells.push_back(rotation.matrix()(k / 3, k % 3));
   return cells;
 }
@@ -27,53 +27,55 @@ std::vector<std::string> with_rotation(std::vector<std::string> columns) {
   return columns;
 }
 
-Csv runs_table(const Results& results) {
-  Csv table(with_rotation({"mesh", "optimizer", "domain", "run", "seed", "outcome", "error", "rectilinearity", "gap",
-                           "evaluations", "values", "cuts", "smooths", "turns", "seconds", "cpu_seconds", "digest"}));
+report::Csv runs_table(const Results& results) {
+  report::Csv table(
+      with_rotation({"mesh", "optimizer", "domain", "run", "seed", "outcome", "error", "rectilinearity", "gap",
+                     "evaluations", "values", "cuts", "smooths", "turns", "seconds", "cpu_seconds", "digest"}));
   for (const RunResult& run : results.runs) {
     const auto text = [&](const char* key) { return run.record.at(key).get<std::string>(); };
     const auto number = [&](const char* key) { return run.record.at(key).get<double>(); };
-    std::vector<Csv::Cell> row = {results.meshes[run.mesh].name,
-                                  results.plan.entries[run.entry].label,
-                                  text("domain"),
-                                  run.run + 1,
-                                  std::to_string(run.record.at("seed").get<std::uint64_t>()),
-                                  text("outcome"),
-                                  text("error"),
-                                  run.merit,
-                                  run.trace.final_gap(),
-                                  run.evaluations,
-                                  number("values"),
-                                  number("cuts"),
-                                  number("smooths"),
-                                  number("turns"),
-                                  run.seconds,
-                                  run.cpu_seconds,
-                                  text("digest")};
-    const std::vector<Csv::Cell> rotation = rotation_cells(run.rotation);
+    std::vector<report::Csv::Cell> row = {results.meshes[run.mesh].name,
+                                          results.plan.entries[run.entry].label,
+                                          text("domain"),
+                                          run.run + 1,
+                                          std::to_string(run.record.at("seed").get<std::uint64_t>()),
+                                          text("outcome"),
+                                          text("error"),
+                                          run.merit,
+                                          run.trace.final_gap(),
+                                          run.evaluations,
+                                          number("values"),
+                                          number("cuts"),
+                                          number("smooths"),
+                                          number("turns"),
+                                          run.seconds,
+                                          run.cpu_seconds,
+                                          text("digest")};
+    const std::vector<report::Csv::Cell> rotation = rotation_cells(run.rotation);
     row.insert(row.end(), rotation.begin(), rotation.end());
     table.row(row);
   }
   return table;
 }
 
-Csv meshes_table(const Results& results) {
-  Csv table(with_rotation({"mesh", "error", "faces", "directions", "area", "lower", "upper", "certificate_evaluations",
-                           "certificate_seconds"}));
+report::Csv meshes_table(const Results& results) {
+  report::Csv table(with_rotation({"mesh", "error", "faces", "directions", "area", "lower", "upper",
+                                   "certificate_evaluations", "certificate_seconds"}));
   for (const MeshResult& mesh : results.meshes) {
     const bool known = mesh.error.empty();
-    std::vector<Csv::Cell> row = {mesh.name, mesh.error};
+    std::vector<report::Csv::Cell> row = {mesh.name, mesh.error};
     for (const double x : {static_cast<double>(mesh.faces), static_cast<double>(mesh.directions), mesh.area, mesh.lower,
                            mesh.upper, mesh.evaluations, mesh.seconds})
       row.push_back(known ? x : NAN);
-    for (const Csv::Cell& cell : rotation_cells(mesh.rotation)) row.push_back(known ? cell : Csv::Cell(""));
+    for (const report::Csv::Cell& cell : rotation_cells(mesh.rotation))
+      row.push_back(known ? cell : report::Csv::Cell(""));
     table.row(row);
   }
   return table;
 }
 
-Csv targets_table(const Results& results, const Summary& summary) {
-  Csv table({"optimizer", "mesh", "target", "runs", "success_rate", "expected_running_time"});
+report::Csv targets_table(const Results& results, const Summary& summary) {
+  report::Csv table({"optimizer", "mesh", "target", "runs", "success_rate", "expected_running_time"});
   for (std::size_t e = 0; e < summary.cells.size(); ++e)
     for (std::size_t mesh = 0; mesh < results.meshes.size(); ++mesh)
       for (std::size_t t = 0; t < targets().size(); ++t) {
@@ -85,8 +87,8 @@ Csv targets_table(const Results& results, const Summary& summary) {
   return table;
 }
 
-Csv tests_table(const Results& results, const Summary& summary) {
-  Csv table({"mesh", "first", "second", "u", "superiority_of_first", "p", "p_holm"});
+report::Csv tests_table(const Results& results, const Summary& summary) {
+  report::Csv table({"mesh", "first", "second", "u", "superiority_of_first", "p", "p_holm"});
   for (const PairTest& t : summary.tests)
     table.row({results.meshes[t.mesh].name, results.plan.entries[t.first].label, results.plan.entries[t.second].label,
                t.test.u, t.test.superiority, t.test.p, t.corrected});
@@ -98,13 +100,13 @@ class Gallery {
  public:
   explicit Gallery(fs::path folder) : folder_(std::move(folder)) { fs::create_directories(folder_); }
 
-  PageImage add(const NamedPlot& plot) {
+  PageImage add(const report::NamedPlot& plot) {
     plot.plot.write(folder_, plot.name);
     names_.push_back(plot.name);
     return {plot.name, plot.caption, plot.plot.width()};
   }
 
-  PictureTroubles draw_all() const { return rectilin::draw_all(folder_, names_); }
+  report::PictureTroubles draw_all() const { return report::draw_all(folder_, names_); }
 
  private:
   fs::path folder_;
@@ -135,7 +137,7 @@ Json read_json(const fs::path& file) {
 
 }  // namespace
 
-PictureTroubles write_report(const fs::path& folder) {
+report::PictureTroubles write_report(const fs::path& folder) {
   const FolderLock lock(folder);
   const Results results = load_results(folder);
   const Summary summary = summarise(results);
@@ -148,10 +150,10 @@ PictureTroubles write_report(const fs::path& folder) {
 
   Gallery gallery(folder / "plots");
   const PageFigures figures = add_figures(results, summary, gallery);
-  PictureTroubles troubles = gallery.draw_all();
+  report::PictureTroubles troubles = gallery.draw_all();
   write_whole_file(folder / "index.html",
                    comparison_page(results, summary, figures, read_json(folder / "provenance.json"), folder));
   return troubles;
 }
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

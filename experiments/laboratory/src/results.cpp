@@ -11,7 +11,7 @@
 #include "rectilin/base/journal.h"
 #include "rectilin/measure/projected_area.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 namespace {
 
 namespace fs = std::filesystem;
@@ -170,4 +170,4 @@ Results load_results(const fs::path& folder) {
   return results;
 }
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-namespace rectilin {
+namespace rectilin::laboratory {
 namespace {
 
 /// Indices that put the values in order.
@@ -141,4 +141,4 @@ std::vector<double> holm(std::span<const double> p) {
   return corrected;
 }
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

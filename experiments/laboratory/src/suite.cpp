@@ -8,7 +8,7 @@
 #include "rectilin/laboratory/results.h"
 #include "rectilin/mesh/source.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 namespace {
 
 Suite landscapes() {
@@ -122,4 +122,4 @@ void export_suite(const Suite& suite, const std::filesystem::path& folder, doubl
   write_whole_file(folder / "suite.json", to_text(json, 2) + '\n');
 }
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

@@ -8,7 +8,7 @@
 
 #include "rectilin/optim/run_record.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 namespace {
 
 constexpr double kNoMean = std::numeric_limits<double>::quiet_NaN();
@@ -213,4 +213,4 @@ Json to_json(const Summary& summary, const Results& results) {
   return {{"meshes", meshes}, {"optimizers", optimizers}};
 }
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

@@ -6,7 +6,7 @@
 
 #include "rectilin/optim/objective.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 
 /// value(R) of the mesh turned by Q is value(R Q) of the mesh itself. Gives values alone: no cuts, surrogate or turns.
 class TurnedObjective final : public Objective {
@@ -28,4 +28,4 @@ class TurnedObjective final : public Objective {
   Rotation turn_;
 };
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

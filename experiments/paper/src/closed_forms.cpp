@@ -7,7 +7,7 @@
 
 #include "rectilin/mesh/shapes.h"
 
-namespace rectilin {
+namespace rectilin::paper {
 namespace {
 
 using std::numbers::pi;
@@ -72,4 +72,4 @@ Mesh tilted_top_cube(double tilt) {
 
 double tilted_top_rectilinearity(double tilt) { return from_areas(6, 5 + std::cos(tilt) + std::sin(tilt)); }
 
-}  // namespace rectilin
+}  // namespace rectilin::paper

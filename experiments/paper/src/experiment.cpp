@@ -4,7 +4,7 @@
 #include "rectilin/base/whole_file.h"
 #include "rectilin/laboratory/provenance.h"
 
-namespace rectilin {
+namespace rectilin::paper {
 
 const std::vector<Experiment>& experiments() {
   using namespace figures;
@@ -39,7 +39,7 @@ ExperimentOutcome run_experiment(const Experiment& experiment, const Json& setti
     write_whole_file(folder / (sheet.name + ".svg"), sheet.svg);
     pictures.push_back({{"name", sheet.name}, {"caption", sheet.caption}, {"width", sheet.width}});
   }
-  for (const NamedPlot& plot : result.plots) {
+  for (const report::NamedPlot& plot : result.plots) {
     plot.plot.write(folder, plot.name);
     names.push_back(plot.name);
     pictures.push_back({{"name", plot.name}, {"caption", plot.caption}, {"width", plot.plot.width()}});
@@ -54,10 +54,10 @@ ExperimentOutcome run_experiment(const Experiment& experiment, const Json& setti
                     {"data", result.data},
                     {"errors", result.errors},
                     {"pictures", pictures},
-                    {"provenance", provenance(command_line)}};
+                    {"provenance", laboratory::provenance(command_line)}};
   // Names of files may be in no encoding at all: what is not UTF-8 is replaced.
   write_whole_file(folder / (experiment.name + ".json"), to_text(all, 1) + '\n');
-  return {result.says, result.errors, draw_all(folder, names)};
+  return {result.says, result.errors, report::draw_all(folder, names)};
 }
 
-}  // namespace rectilin
+}  // namespace rectilin::paper

@@ -5,14 +5,14 @@
 #include "rectilin/paper/experiment.h"
 #include "rectilin/report/html.h"
 
-namespace rectilin {
+namespace rectilin::paper {
 namespace {
 
 namespace fs = std::filesystem;
 
-using html::escape;
-using html::link;
-using html::paragraph;
+using report::html::escape;
+using report::html::link;
+using report::html::paragraph;
 
 std::string picture(const Json& about, const fs::path& folder) {
   const std::string name = about.at("name"), caption = about.at("caption");
@@ -20,7 +20,7 @@ std::string picture(const Json& about, const fs::path& folder) {
   if (fs::exists(folder / (name + ".gp"))) files += ", " + link(name + ".gp", "gnuplot");
   files += ".";
   if (!fs::exists(folder / (name + ".svg"))) return paragraph("(No picture.) " + escape(caption) + " " + files);
-  return html::picture(name + ".svg", caption, files, about.at("width"));
+  return report::html::picture(name + ".svg", caption, files, about.at("width"));
 }
 
 /// All that it takes to repeat an experiment.
@@ -36,11 +36,11 @@ std::string section(const Json& experiment, const fs::path& folder) {
   std::string pictures;
   for (const Json& about : experiment.at("pictures")) pictures += picture(about, folder);
   std::string text = "<h2 id=\"" + escape(name) + "\">" + escape(name) + ": " + escape(title) + "</h2>\n" +
-                     paragraph(escape(experiment.at("says").get<std::string>())) + html::side_by_side(pictures);
+                     paragraph(escape(experiment.at("says").get<std::string>())) + report::html::side_by_side(pictures);
   for (const Json& error : experiment.at("errors")) text += paragraph(escape(error.get<std::string>()));
-  return text + html::details("Settings, command, machine, versions",
-                              "<pre>" + escape(to_text(record(experiment), 2)) + "</pre>\n" +
-                                  paragraph("All numbers: " + link(name + ".json", name + ".json")));
+  return text + report::html::details("Settings, command, machine, versions",
+                                      "<pre>" + escape(to_text(record(experiment), 2)) + "</pre>\n" +
+                                          paragraph("All numbers: " + link(name + ".json", name + ".json")));
 }
 
 std::string introduction() {
@@ -68,8 +68,9 @@ void write_experiment_page(const fs::path& folder) {
     contents += "<li>" + link("#" + experiment.name, experiment.name) + ": " + escape(experiment.help) + "</li>\n";
     sections += section(found, folder);
   }
-  write_whole_file(folder / "index.html", html::page("Rectilinearity: the experiments",
-                                                     introduction() + "<ul>\n" + contents + "</ul>\n" + sections));
+  write_whole_file(folder / "index.html",
+                   report::html::page("Rectilinearity: the experiments",
+                                      introduction() + "<ul>\n" + contents + "</ul>\n" + sections));
 }
 
-}  // namespace rectilin
+}  // namespace rectilin::paper

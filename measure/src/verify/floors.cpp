@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace rectilin::verifying {
+namespace rectilin::verification {
 namespace {
 
 constexpr std::size_t kMostTriangles = 6'000'000;
@@ -183,4 +183,4 @@ void Floors::divide(std::int32_t at) {
   }
 }
 
-}  // namespace rectilin::verifying
+}  // namespace rectilin::verification

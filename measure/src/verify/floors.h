@@ -6,7 +6,7 @@
 
 #include "verify/part.h"
 
-namespace rectilin::verifying {
+namespace rectilin::verification {
 
 struct Face {
   double x, y, z;  // area vector, in units of the surface
@@ -57,4 +57,4 @@ class Floors {
   bool too_many_ = false;
 };
 
-}  // namespace rectilin::verifying
+}  // namespace rectilin::verification

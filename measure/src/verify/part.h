@@ -6,7 +6,7 @@
 #include <array>
 #include <limits>
 
-namespace rectilin::verifying {
+namespace rectilin::verification {
 
 /// A box of Rodrigues vectors rho; the rotation is ((1 - |rho|^2) I + 2 rho rho^T + 2 [rho]x) / (1 + |rho|^2).
 struct Part {
@@ -59,4 +59,4 @@ inline double least_on(const Eigen::Matrix3d& g, const Part& part) {
   return least;
 }
 
-}  // namespace rectilin::verifying
+}  // namespace rectilin::verification

@@ -152,6 +152,7 @@ PolygonSoup read_off(std::string_view bytes, const std::string& name) {
     next_record(text, "vertices", i, header.vertices);
     soup.vertices.push_back(read_vertex(text, header.homogeneous));
   }
+  soup.ends.reserve(static_cast<std::size_t>(header.faces));
   for (std::int64_t i = 0; i < header.faces; ++i) {
     next_record(text, "faces", i, header.faces);
     read_face(text, header.vertices, soup);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -29,6 +30,27 @@ std::uint64_t hash_position(const Vector3& position) {
   return hash;
 }
 
+// Sorts keys by `less`, which compares hashes first: they are dealt to buckets by their first bits, and buckets sorted,
+// most of which hold a few keys. Whatever the hashes, it takes no longer than sorting alone.
+template <class Less>
+void sort_in_buckets(std::vector<PositionKey>& keys, const Less& less) {
+  constexpr std::size_t kPerBucket = 4;
+  const int bits = static_cast<int>(std::bit_width(keys.size() / kPerBucket));
+  if (bits == 0) return std::sort(keys.begin(), keys.end(), less);
+  const auto bucket = [&](const PositionKey& key) { return key.hash >> (64 - bits); };
+  std::vector<std::uint32_t> ends((std::size_t{1} << bits) + 1, 0);
+  for (const PositionKey& key : keys) ++ends[bucket(key) + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<PositionKey> dealt(keys.size());
+  for (const PositionKey& key : keys) dealt[ends[bucket(key)]++] = key;  // a bucket's begin becomes its end
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : ends) {
+    if (end > begin + 1) std::sort(dealt.begin() + begin, dealt.begin() + end, less);
+    begin = std::max(begin, end);
+  }
+  keys.swap(dealt);
+}
+
 // For each vertex the first one at its position; a vertex that is not finite stands for itself.
 // Sorting, unlike a hash table, has no worst case that a file could aim at.
 std::vector<std::uint32_t> first_at_position(const std::vector<Vector3>& vertices) {
@@ -39,7 +61,7 @@ std::vector<std::uint32_t> first_at_position(const std::vector<Vector3>& vertice
     first[i] = i;
     if (vertices[i].allFinite()) keys.push_back({hash_position(vertices[i]), i});
   }
-  std::sort(keys.begin(), keys.end(), [&](const PositionKey& a, const PositionKey& b) {
+  sort_in_buckets(keys, [&](const PositionKey& a, const PositionKey& b) {
     if (a.hash != b.hash) return a.hash < b.hash;
     const Vector3 &p = vertices[a.vertex], &q = vertices[b.vertex];
     if (p.x() != q.x()) return p.x() < q.x();
@@ -79,6 +101,7 @@ std::vector<std::uint32_t> compact_vertices(PolygonSoup& soup, MeshReport& repor
 std::vector<Triangle> triangulate_all(PolygonSoup& soup, const std::vector<std::uint32_t>& target, MeshReport& report,
                                       const std::string& name) {
   std::vector<Triangle> triangles;
+  triangles.reserve(soup.ends.size());
   PolygonTriangulator triangulator;
   std::size_t begin = 0, number = 0;
   for (const std::size_t end : soup.ends) {

@@ -1,6 +1,7 @@
 #include "io/text.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <limits>
 
@@ -11,8 +12,18 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+/// What a character is to a reader of words. One look in a table a character: files are mostly such looks.
+enum class Kind : unsigned char { kInWord, kBlank, kLineEnd, kHash };
+
+constexpr std::array<Kind, 256> kKinds = [] {
+  std::array<Kind, 256> kinds{};
+  for (const unsigned char c : {' ', '\t', '\v', '\f'}) kinds[c] = Kind::kBlank;
+  for (const unsigned char c : {'\n', '\r'}) kinds[c] = Kind::kLineEnd;
+  kinds[static_cast<unsigned char>('#')] = Kind::kHash;
+  return kinds;
+}();
+
+Kind kind_of(char c) { return kKinds[static_cast<unsigned char>(c)]; }
 
 // from_chars knows no leading plus.
 std::string_view without_plus(std::string_view word) {
@@ -61,6 +72,20 @@ bool parse_number(std::string_view word, double& value) {
 }
 
 bool parse_integer(std::string_view word, std::int64_t& value) {
+  constexpr std::size_t kSafeDigits = 18;  // which fit, so that nothing has to be checked but that they are digits
+  if (!word.empty() && word.size() <= kSafeDigits) {
+    std::int64_t sum = 0;
+    bool digits_only = true;
+    for (const char c : word) {
+      const unsigned digit = static_cast<unsigned char>(c) - static_cast<unsigned>('0');
+      digits_only = digits_only && digit < 10;
+      sum = 10 * sum + digit;
+    }
+    if (digits_only) {
+      value = sum;
+      return true;
+    }
+  }
   const std::string_view digits = without_plus(word);
   const char* const end = digits.data() + digits.size();
   const auto result = std::from_chars(digits.data(), end, value);
@@ -78,15 +103,20 @@ LineReader LineReader::within(std::string_view text) const {
   return reader;
 }
 
-bool LineReader::at_line_end() const { return position_ == text_.size() || is_line_end(text_[position_]); }
-
-// Whether '#' begins a comment here, in a word that began at `begin`.
-bool LineReader::at_comment(std::size_t begin) const {
-  return text_[position_] == '#' && (position_ == begin || text_[position_ - 1] != '.');
+bool LineReader::at_line_end() const {
+  return position_ == text_.size() || kind_of(text_[position_]) == Kind::kLineEnd;
 }
 
 void LineReader::skip_blanks() {
-  while (position_ < text_.size() && is_blank(text_[position_])) ++position_;
+  std::size_t at = position_;
+  while (at < text_.size() && kind_of(text_[at]) == Kind::kBlank) ++at;
+  position_ = at;
+}
+
+void LineReader::skip_to_line_end() {
+  std::size_t at = position_;
+  while (at < text_.size() && kind_of(text_[at]) != Kind::kLineEnd) ++at;
+  position_ = at;
 }
 
 void LineReader::skip_line_ending() {
@@ -103,7 +133,7 @@ bool LineReader::next_line() {
   while (true) {
     if (!skip) skip_blanks();
     if (!skip && !at_line_end() && text_[position_] != '#') return true;
-    while (!at_line_end()) ++position_;
+    skip_to_line_end();
     if (position_ == text_.size()) return false;
     skip_line_ending();
     skip = false;
@@ -113,8 +143,14 @@ bool LineReader::next_line() {
 std::string_view LineReader::word() {
   skip_blanks();
   const std::size_t begin = position_;
-  while (!at_line_end() && !is_blank(text_[position_]) && !at_comment(begin)) ++position_;
-  const std::string_view found = text_.substr(begin, position_ - begin);
+  std::size_t at = begin;
+  for (; at < text_.size(); ++at) {
+    const Kind kind = kind_of(text_[at]);
+    if (kind == Kind::kInWord) continue;
+    if (kind != Kind::kHash || at == begin || text_[at - 1] != '.') break;  // "1.#IND" goes on
+  }
+  position_ = at;
+  const std::string_view found(text_.data() + begin, at - begin);
   if (continuation_ == Continuation::kBackslash && found.ends_with('\\')) {
     const std::string_view before = found.substr(0, found.size() - 1);
     if (!before.empty()) {

@@ -57,8 +57,8 @@ class LineReader {
  private:
   double number_of(std::string_view found, std::string_view what) const;
   bool at_line_end() const;
-  bool at_comment(std::size_t begin) const;
   void skip_blanks();
+  void skip_to_line_end();
   void skip_line_ending();
 
   std::string_view text_;

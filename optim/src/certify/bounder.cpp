@@ -3,7 +3,7 @@
 #include "certify/box_bound.h"
 #include "rectilin/base/rotation.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 
 PerCut<double> Bounder::raise(Cell& cell, double enough) const {
   const Corners corners(cell.box);
@@ -54,4 +54,4 @@ void Bounder::describe(Cell& cell, const Corners& corners, const Strategies& str
   }
 }
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

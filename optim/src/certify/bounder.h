@@ -4,7 +4,7 @@
 #include "certify/cell.h"
 #include "certify/corner_game.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 
 /// Bounds cells with the cuts in their bundles. Reads the table only: many threads may share one.
 class Bounder {
@@ -23,4 +23,4 @@ class Bounder {
   const CutTable& table_;
 };
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

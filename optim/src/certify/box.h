@@ -8,7 +8,7 @@
 
 #include "rectilin/optim/domain.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 
 /// A number for each corner of a box. Bit i of the corner's index says which end it has on axis i.
 using Array8 = Eigen::Array<double, 8, 1>;
@@ -77,4 +77,4 @@ struct Corners {
   std::array<Array8, 9> entry;
 };
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

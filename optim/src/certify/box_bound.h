@@ -3,7 +3,7 @@
 
 #include "certify/box.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 
 /// A number that the linear form rotation -> (g . R), the sum of products of entries, does not fall below on
 /// the box; `values` are those of the form at the corners.
@@ -23,4 +23,4 @@ inline double box_bound(const Eigen::Matrix3d& g, const Array8& values, const Bo
 
 inline constexpr double kBoxRounding = 0x1p-44;
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

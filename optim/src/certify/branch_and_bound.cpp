@@ -7,7 +7,7 @@
 #include "certify/box_bound.h"
 #include "certify/descent.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 namespace {
 
 /// How far each Rodrigues component of the rotations asked for is off the model's minima, at most, and in units of the
@@ -83,7 +83,6 @@ CertifyResult BranchAndBound::run() {
   report();
   result_.incumbent = evaluator_.incumbent();
   result_.closed = evaluator_.has_incumbent() && (heap_.empty() || facts_.floor >= cutoff_);
-  result_.largest_heap = heap_.largest();
   if (floors_) result_.floor_triangles = floors_->triangles();
   if (proof_) settle_open_cells();
   return std::move(result_);
@@ -190,8 +189,7 @@ bool BranchAndBound::is_flat() const {
 }
 
 void BranchAndBound::update_floors() {
-  if (flatness_is_known_ || !options_.minorants || generators_.size() == 0 || result_.cells < kCellsBeforeFloors)
-    return;
+  if (flatness_is_known_ || !options_.floors || generators_.size() == 0 || result_.cells < kCellsBeforeFloors) return;
   flatness_is_known_ = true;
   if (!is_flat()) return;
   floors_ = std::make_unique<SupportFloor>(generators_, proof_ ? kProofMargin : 0, [this] { return stopped(); });
@@ -293,6 +291,7 @@ void BranchAndBound::settle_open_cells() {
 
 /// Publishes the bound that holds now.
 void BranchAndBound::report() {
+  evaluator_.note_parts_bounded(result_.cells);
   const double value = evaluator_.incumbent().value;
   const double proved = std::min({heap_.least_bound(), least_settled_}) - allowance_;
   const double lower = std::min(std::max(proved, facts_.floor), value);
@@ -304,4 +303,4 @@ void BranchAndBound::report() {
       {result_.cells, evaluator_.costs().evaluations(), evaluator_.seconds(), value, result_.lower});
 }
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

@@ -13,7 +13,7 @@
 #include "rectilin/optim/certify.h"
 #include "rectilin/optim/evaluator.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 
 /// The least value of the objective whose merit is within `gap` of that of `value`.
 double cutoff_value(const Objective& objective, double value, double gap);
@@ -99,4 +99,4 @@ class BranchAndBound {
   CertifyResult result_;
 };
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

@@ -7,7 +7,7 @@
 
 #include "certify/box.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 
 /// Rows of all cuts taken, in the order they were. A row serves any axis: it is a minorant of h everywhere.
 using CutTable = std::vector<Eigen::Vector3d>;
@@ -42,4 +42,4 @@ struct Cell {
   std::uint32_t node = 0;                            ///< place in the certificate's tree
 };
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

@@ -6,14 +6,13 @@
 
 #include "certify/cell.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 
 /// A priority queue, least bound first. The heap holds handles: cells are large, and stay where they are.
 class CellHeap {
  public:
   bool empty() const { return heap_.empty(); }
   std::size_t size() const { return heap_.size(); }
-  std::size_t largest() const { return cells_.size(); }
 
   double least_bound() const { return heap_.empty() ? std::numeric_limits<double>::infinity() : heap_.front().bound; }
 
@@ -48,4 +47,4 @@ class CellHeap {
   std::vector<std::uint32_t> free_;
 };
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

@@ -12,21 +12,21 @@ void CertifyOptions::bind(Parameters& table) {
       .integer("cells", cells, 0, 2'000'000'000, "stop after so many boxes of rotations; 0: no limit")
       .real("seconds", seconds, 0, 1e9, "stop after so much time; 0: no limit")
       .integer("batch", batch, 1, 100'000, "boxes a round, or more where many are open")
-      .integer("bundle", bundle, 1, bounding::Cell::kMaxBundle, "cuts kept on each axis of a box")
+      .integer("bundle", bundle, 1, certification::Cell::kMaxBundle, "cuts kept on each axis of a box")
       .integer("descent", descent, 0, 1000, "steps of the local search from each better rotation")
       .flag("balls", balls, "certified balls round the incumbent")
-      .flag("minorants", minorants, "minorants on the sphere when there are many boxes")
+      .flag("floors", floors, "bounds of h where the axes point to when there are many boxes")
       .flag("polish", polish, "solve for the frame at which faces are parallel to axes")
       .flag("optima", optima, "find all frames within the gap");
 }
 
 namespace {
 
-Certificate certificate_of(const bounding::ProofTree& proof, const CertifyResult& result, const CutBounds& facts) {
+Certificate certificate_of(const certification::ProofTree& proof, const CertifyResult& result, const CutBounds& facts) {
   Certificate certificate;
   certificate.tree = "f";
   // Whoever recomputes the leaves' bounds rounds differently, so the claim is a little less than what was proved.
-  const double claim = std::min(result.lower, proof.bound()) - bounding::rounding_allowance(facts);
+  const double claim = std::min(result.lower, proof.bound()) - certification::rounding_allowance(facts);
   certificate.lower = facts.floor;
   if (claim > facts.floor) {
     certificate = proof.certificate();
@@ -42,18 +42,18 @@ Certificate certificate_of(const bounding::ProofTree& proof, const CertifyResult
 CertifyResult certify(Evaluator& evaluator, const CertifyOptions& options, Certificate* certificate) {
   if (!evaluator.objective().has_cuts())
     throw ParameterError("certify: '" + evaluator.objective().name() + "' has no cuts");
-  std::optional<bounding::ProofTree> proof;
+  std::optional<certification::ProofTree> proof;
   if (certificate) proof.emplace();
-  CertifyResult result = bounding::BranchAndBound(evaluator, options, proof ? &*proof : nullptr).run();
+  CertifyResult result = certification::BranchAndBound(evaluator, options, proof ? &*proof : nullptr).run();
   if (options.polish && evaluator.has_incumbent() && evaluator.objective().generators().size() > 0) {
-    result.active = bounding::polish(evaluator);
+    certification::polish(evaluator);
     result.incumbent = evaluator.incumbent();
     result.lower = std::min(result.lower, result.incumbent.value);
   }
   if (proof) *certificate = certificate_of(*proof, result, evaluator.objective().cut_bounds());
   if (options.optima && result.closed) {
-    const double threshold = bounding::threshold_value(evaluator.objective(), result.incumbent.value, options.gap);
-    result.optima = bounding::find_optima(evaluator, options, threshold);
+    const double threshold = certification::threshold_value(evaluator.objective(), result.incumbent.value, options.gap);
+    result.optima = certification::find_optima(evaluator, options, threshold);
   }
   return result;
 }

@@ -1,6 +1,6 @@
 #include "certify/corner_game.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 namespace {
 
 /// Dictionary simplex (Chvatal 1983, ch. 2-3): basic variables are affine in the nonbasic ones. A column holds
@@ -155,4 +155,4 @@ Strategies solve(const CornerGame& game, double enough) {
   return dictionary.strategies();
 }
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

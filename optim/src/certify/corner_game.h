@@ -5,7 +5,7 @@
 
 #include "certify/box.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 
 /// Most cuts of one axis in a game.
 inline constexpr int kMaxCuts = 9;
@@ -32,4 +32,4 @@ struct Strategies {
 /// depends on how well this does; rounding costs quality only.
 Strategies solve(const CornerGame& game, double enough);
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

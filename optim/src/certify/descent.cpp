@@ -5,7 +5,7 @@
 
 #include "certify/corner_game.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 namespace {
 
 constexpr double kFirstRadius = 0.1, kLargestRadius = 0.2, kSmallestRadius = 1e-13;  // radians
@@ -74,4 +74,4 @@ Incumbent descend(Evaluator& evaluator, const Rotation& start, const Cut& cut, i
   return {at, value};
 }
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

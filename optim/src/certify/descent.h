@@ -3,7 +3,7 @@
 
 #include "rectilin/optim/evaluator.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 
 /// Kelley's cutting plane method (1960) on rotations near the present best, in a cube of turns whose size adapts:
 /// the minimum of the greatest cuts is the next rotation. Where faces are parallel to axes at the minimum, its
@@ -13,4 +13,4 @@ namespace rectilin::bounding {
 /// `enough`. Returns the best rotation of this search.
 Incumbent descend(Evaluator& evaluator, const Rotation& start, const Cut& cut, int steps, double enough);
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

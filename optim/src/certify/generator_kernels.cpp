@@ -9,7 +9,7 @@
 #include "certify/generator_kernels.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace rectilin::bounding::HWY_NAMESPACE {
+namespace rectilin::certification::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -67,11 +67,11 @@ std::size_t copy_unsettled(const GeneratorSpan& g, const Triangle3& corners, con
 }
 
 }  // namespace
-}  // namespace rectilin::bounding::HWY_NAMESPACE
+}  // namespace rectilin::certification::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace rectilin::bounding {
+namespace rectilin::certification {
 
 HWY_EXPORT(signed_sum);
 HWY_EXPORT(copy_unsettled);
@@ -85,5 +85,5 @@ std::size_t copy_unsettled(const GeneratorSpan& generators, const Triangle3& cor
   return HWY_DYNAMIC_DISPATCH(copy_unsettled)(generators, corners, out, settled);
 }
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification
 #endif

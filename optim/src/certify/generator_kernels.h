@@ -6,7 +6,7 @@
 
 #include "certify/spherical_triangle.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 
 /// Numbers of generators are rounded up to a multiple of this; zeros fill the rest.
 inline constexpr std::size_t kGeneratorLanes = 8;
@@ -28,4 +28,4 @@ Eigen::Vector3d signed_sum(const GeneratorSpan& generators, const Eigen::Vector3
 std::size_t copy_unsettled(const GeneratorSpan& generators, const Triangle3& corners, const GeneratorOutput& out,
                            Eigen::Vector3d& settled);
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 namespace {
 
 std::size_t rounded_up(std::size_t size) { return (size + kGeneratorLanes - 1) / kGeneratorLanes * kGeneratorLanes; }
@@ -47,4 +47,4 @@ GeneratorList GeneratorList::compact() const {
   return copy;
 }
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

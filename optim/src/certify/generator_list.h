@@ -6,7 +6,7 @@
 #include "certify/generator_kernels.h"
 #include "rectilin/optim/objective.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 
 /// Vectors v_i whose great circles u . v_i = 0 may meet some region of the sphere, as a structure of arrays,
 /// padded with zeros. The other faces have one sign all over the region: their part of h is linear.
@@ -35,4 +35,4 @@ class GeneratorList {
   std::size_t size_ = 0;
 };
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

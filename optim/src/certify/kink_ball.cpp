@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 namespace {
 
 /// Faces this near to parallel (radians) may be given free signs. One that is only nearly parallel costs its
@@ -172,4 +172,4 @@ bool Balls::hold(const Box& box) const {
   return false;
 }
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

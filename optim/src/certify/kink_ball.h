@@ -6,7 +6,7 @@
 #include "certify/box.h"
 #include "rectilin/optim/objective.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 
 /// The largest angle found such that the objective is at least `value` at every rotation within it of `centre`;
 /// zero if there is none, as when the objective at `centre` is less than `value`.
@@ -37,4 +37,4 @@ class Balls {
   std::vector<Ball> balls_;
 };
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

@@ -10,7 +10,7 @@
 #include "certify/descent.h"
 #include "certify/kink_ball.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 namespace {
 
 constexpr double kDescendBelow = 0.01;    // half-edge of cells from which local searches start
@@ -185,4 +185,4 @@ std::vector<Optimum> find_optima(Evaluator& evaluator, const CertifyOptions& opt
   return Search(evaluator, options, threshold).run();
 }
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

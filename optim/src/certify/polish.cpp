@@ -6,7 +6,7 @@
 
 #include "certify/descent.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 namespace {
 
 constexpr double kPolishTolerances[] = {1e-4, 1e-6, 1e-8, 1e-10};  // radians to being parallel at the start
@@ -109,4 +109,4 @@ std::vector<ActiveGenerator> polish(Evaluator& evaluator) {
   return active;
 }
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

@@ -3,9 +3,15 @@
 
 #include <vector>
 
-#include "rectilin/optim/certify.h"
+#include "rectilin/optim/evaluator.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
+
+/// A generator that is parallel to an axis of the frame: r_axis . v = 0.
+struct ActiveGenerator {
+  int axis;               ///< 0, 1 or 2
+  std::size_t generator;  ///< index into Objective::generators()
+};
 
 /// At a minimum faces are parallel to axes, r_k . v = 0, and as a rule three such conditions fix the frame. Finds them
 /// near the evaluator's incumbent, solves them by Newton's method to rounding level, and offers the frame to the
@@ -15,4 +21,4 @@ namespace rectilin::bounding {
 /// found, as on a surface of revolution.
 std::vector<ActiveGenerator> polish(Evaluator& evaluator);
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

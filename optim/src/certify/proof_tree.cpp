@@ -1,6 +1,6 @@
 #include "certify/proof_tree.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 
 std::uint32_t ProofTree::halve(std::uint32_t node, int axis) {
   const auto first = static_cast<std::uint32_t>(nodes_.size());
@@ -57,4 +57,4 @@ Certificate ProofTree::certificate() const {
   return result;
 }
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

@@ -9,7 +9,7 @@
 #include "certify/corner_game.h"
 #include "rectilin/optim/certificate.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 
 /// Grows with the search: node 0 is the zone's cube.
 class ProofTree {
@@ -49,4 +49,4 @@ class ProofTree {
   std::vector<Eigen::Vector3d> directions_;
 };
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

@@ -7,7 +7,7 @@
 #include <array>
 #include <limits>
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 
 /// Corners of a spherical triangle, unit vectors. Its points are the unit vectors sum a_i p_i with a_i >= 0.
 using Triangle3 = std::array<Eigen::Vector3d, 3>;
@@ -27,9 +27,9 @@ inline std::array<Triangle3, 4> upper_octants() {
   return {Triangle3{x, y, z}, {y, -x, z}, {-x, -y, z}, {-y, x, z}};
 }
 
-/// A number that g . u - u . F u does not fall below on the triangle, F symmetric, or minus infinity: its least coefficient
-/// in the coordinates a of u = sum a_i p_i, unless the sphere bulges too far from the corners' plane for that
-/// (papers/certificate.md, lemma 3). Edges must not be longer than half a radian.
+/// A number that g . u - u . F u does not fall below on the triangle, F symmetric, or minus infinity: its least
+/// coefficient in the coordinates a of u = sum a_i p_i, unless the sphere bulges too far from the corners' plane for
+/// that (papers/certificate.md, lemma 3). Edges must not be longer than half a radian.
 inline double least_on(const Triangle3& p, const Eigen::Vector3d& g, const Eigen::Matrix3d& form) {
   const Eigen::Vector3d linear(g.dot(p[0]), g.dot(p[1]), g.dot(p[2]));
   double least = std::numeric_limits<double>::infinity(), most_form = 0;
@@ -44,4 +44,4 @@ inline double least_on(const Triangle3& p, const Eigen::Vector3d& g, const Eigen
   return linear.minCoeff() >= 2.2 * most_form ? least : -std::numeric_limits<double>::infinity();
 }
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 namespace {
 
 constexpr double kLeastRadius = 0.01;              // of sweeps, in radians; cuts alone do well on smaller ones
@@ -248,4 +248,4 @@ std::optional<std::array<double, 3>> SupportFloor::prove(const std::array<Sweep,
   return std::nullopt;
 }
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

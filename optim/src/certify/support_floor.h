@@ -11,15 +11,15 @@
 #include "certify/generator_list.h"
 #include "certify/sweep.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 
 /// On a nearly round body every cut is tangent to a body that curves away from it, and cells must shrink with the
 /// square root of the gap in all three dimensions. But h lives on the sphere, which has two, and is nearly constant
 /// there: as a rule the least values of h on what the three axes sweep add up to enough, for boxes a tenth of a radian
 /// wide.
 ///
-/// Where h also varies smoothly, as on an ellipsoid, most of that is a quadratic form u . F u; the sum of the form over three
-/// orthogonal axes is its trace, whichever they are. So floors are those of h(u) - u . F u.
+/// Where h also varies smoothly, as on an ellipsoid, most of that is a quadratic form u . F u; the sum of the form over
+/// three orthogonal axes is its trace, whichever they are. So floors are those of h(u) - u . F u.
 ///
 /// One subdivision of the sphere into triangles serves all axes of all boxes (papers/certificate.md, lemma 3). It is
 /// refined where a box asks for it. Between two calls of update() the answers do not depend on their order, so
@@ -60,4 +60,4 @@ class SupportFloor {
   std::size_t known_ = 0;                               // how many of them update() has seen
 };
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

@@ -6,7 +6,7 @@
 
 #include "certify/box_bound.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 namespace {
 
 constexpr double kWidest = 0.7;  // reach of octagons worth looking at
@@ -32,4 +32,4 @@ Sweep::Sweep(const Box& box, const Corners& corners, const Rotation& middle, int
   if (radius_ > kWidest || least(middle_) < 0) radius_ = std::numeric_limits<double>::infinity();
 }
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

@@ -6,7 +6,7 @@
 #include "certify/box.h"
 #include "rectilin/base/rotation.h"
 
-namespace rectilin::bounding {
+namespace rectilin::certification {
 
 /// An octagon about it with great circles for sides: where the axis points, its product with the outer normal of a side
 /// is at most that side's reach. Lemma 1 gives the reach.
@@ -55,4 +55,4 @@ class Sweep {
   double radius_;
 };
 
-}  // namespace rectilin::bounding
+}  // namespace rectilin::certification

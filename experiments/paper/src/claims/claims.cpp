@@ -6,7 +6,7 @@
 #include "claims/ledger.h"
 #include "rectilin/base/parameters.h"
 
-namespace rectilin {
+namespace rectilin::paper {
 namespace {
 
 Claim claim_from_json(const Json& entry) {
@@ -35,10 +35,10 @@ std::string cell(const std::string& text) {
 
 }  // namespace
 
-const std::vector<Claim>& claims() {
+const std::vector<Claim>& all_claims() {
   static const std::vector<Claim> all = [] {
     std::vector<Claim> list;
-    for (const Json& entry : Json::parse(claims_detail::kLedger)) list.push_back(claim_from_json(entry));
+    for (const Json& entry : Json::parse(claims::kLedger)) list.push_back(claim_from_json(entry));
     return list;
   }();
   return all;
@@ -49,7 +49,7 @@ std::string claims_markdown() {
   out << "| claim | source | what is claimed | how it is tested | tolerance of the margin | "
          "expected | code |\n"
          "| --- | --- | --- | --- | --- | --- | --- |\n";
-  for (const Claim& claim : claims()) {
+  for (const Claim& claim : all_claims()) {
     out << "| `" << claim.id << "` | " << cell(claim.source) << " | " << cell(claim.statement) << " | "
         << cell(claim.test) << " | " << Json(claim.tolerance).dump() << ": " << cell(claim.why) << " | "
         << (claim.should_hold ? "holds" : "fails") << (claim.remark.empty() ? "" : ". ") << cell(claim.remark) << " | `"
@@ -72,4 +72,4 @@ std::string_view to_string(ClaimVerdict verdict) {
   return "";
 }
 
-}  // namespace rectilin
+}  // namespace rectilin::paper

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 namespace {
 
 using LongVector = Eigen::Matrix<long double, 3, 1>;
@@ -88,4 +88,4 @@ Finding check_angles(const TestMesh& tested, Random random) {
   return finding;
 }
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

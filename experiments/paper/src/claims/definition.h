@@ -3,7 +3,7 @@
 
 #include "claims/tests.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 
 using EulerConvention = Rotation (*)(double alpha, double beta, double gamma);
 
@@ -21,4 +21,4 @@ Finding check_convention(Random random, EulerConvention convention);
 /// Eq. (22): P/S of the mesh against the angles between normals and axes.
 Finding check_angles(const TestMesh& tested, Random random);
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

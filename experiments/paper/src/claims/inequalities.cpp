@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 namespace {
 
 const double kSqrt3 = std::sqrt(3.0);
@@ -58,4 +58,4 @@ Finding check_bounds_of_mesh(const TestMesh& tested, Random random) {
   return {above, tested.source, nullptr, worst.rotation, {}};
 }
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

@@ -3,7 +3,7 @@
 
 #include "claims/tests.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 
 /// Eq. (8) over all faces, at random rotations and where a face is parallel to a plane (equality).
 Finding check_lower_per_face(const TestMesh& tested, Random random);
@@ -21,4 +21,4 @@ struct Sampled {
 };
 Sampled greatest_ratio(const Objective& objective, Random random, int count);
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

@@ -7,7 +7,7 @@
 #include "rectilin/mesh/source.h"
 #include "rectilin/paper/closed_forms.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 namespace {
 
 /// Distance of `expected` from the certified enclosure of R, as a margin.
@@ -50,4 +50,4 @@ std::vector<Finding> check_closed_forms(Random) {
   return findings;
 }
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

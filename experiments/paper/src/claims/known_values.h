@@ -3,7 +3,7 @@
 
 #include "claims/tests.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 
 /// Section 5.3: the pyramid's 0.4270.
 std::vector<Finding> check_pyramid(Random random);
@@ -14,4 +14,4 @@ std::vector<Finding> check_stepped_pyramids(Random random);
 /// The closed forms of closed_forms.h against certified bounds.
 std::vector<Finding> check_closed_forms(Random random);
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

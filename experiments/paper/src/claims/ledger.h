@@ -1,8 +1,8 @@
 // papers/claims.json as text.
 #pragma once
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 
 extern const char* const kLedger;
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

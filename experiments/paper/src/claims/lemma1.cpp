@@ -9,7 +9,7 @@
 
 #include "claims/inequalities.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 namespace {
 
 struct Interval {
@@ -62,4 +62,4 @@ Finding check_second_difference(const TestMesh& tested, Random random) {
   return {-error, tested.source, nullptr, middle, {}};
 }
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

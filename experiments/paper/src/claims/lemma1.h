@@ -3,7 +3,7 @@
 
 #include "claims/tests.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 
 /// Lemma 1: the greatest P/S among random rotations exceeds the least one.
 Finding check_not_constant(const TestMesh& tested, Random random);
@@ -18,4 +18,4 @@ Finding check_not_constant(const TestMesh& tested, Random random);
 double second_difference_error(const ProjectedArea& objective, const Rotation& middle, double step);
 Finding check_second_difference(const TestMesh& tested, Random random);
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

@@ -10,7 +10,7 @@
 
 #include "rectilin/optim/domain.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 namespace {
 
 struct Cell {
@@ -113,4 +113,4 @@ Enclosure enclose_on_paper_box(const Objective& objective, double gap, int cells
   return Search(objective, gap).run(cells);
 }
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

@@ -4,7 +4,7 @@
 #include "claims/test_mesh.h"
 #include "rectilin/optim/objective.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 
 /// Does the paper's box hold a frame equal to `rotation`'s, up to frame_symmetries()? Exactly where
 /// an axis has the signs
@@ -20,4 +20,4 @@ bool in_paper_box(const Rotation& rotation);
 /// a, b, c.
 Enclosure enclose_on_paper_box(const Objective& objective, double gap = 1e-6, int cells = 200'000);
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

@@ -7,7 +7,7 @@
 
 #include "rectilin/mesh/source.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 namespace {
 
 Finding sphere_finding(const std::vector<std::string>& sources) {
@@ -95,4 +95,4 @@ Finding check_mean(const TestMesh& tested) {
   return {-std::abs(3 * mean - 1.5), tested.source, nullptr, {}, {}};
 }
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

@@ -3,7 +3,7 @@
 
 #include "claims/tests.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 
 /// Theorem 2.1: R found, and so S/P - 2/3, is positive.
 Finding check_positive(const TestMesh& tested);
@@ -29,4 +29,4 @@ Finding check_mean(const TestMesh& tested);
 std::vector<Vector3> spread_directions(int count);
 inline constexpr int kDirections = 3000;
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

@@ -8,7 +8,7 @@
 #include "rectilin/mesh/source.h"
 #include "rectilin/paper/closed_forms.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 namespace {
 
 double slope_at_corner() {
@@ -133,4 +133,4 @@ std::vector<Finding> check_tilted_top(Random) {
   return findings;
 }
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

@@ -12,7 +12,7 @@
 
 #include "claims/tests.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 
 /// (cos t + sin t - 1) / t at t = acos(1/sqrt(3)).
 extern const double kLeastSlope;
@@ -37,4 +37,4 @@ std::vector<Finding> check_known_shapes(Random random);
 /// A cube whose top is tilted by 10^-1 ... 10^-6: R falls by half the angle (closed_forms.h).
 std::vector<Finding> check_tilted_top(Random random);
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

@@ -8,7 +8,7 @@
 
 #include "rectilin/retrieval/descriptor.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 namespace {
 
 /// Least time of one comparison, of many tries, so that a busy machine counts little.
@@ -87,4 +87,4 @@ std::vector<Finding> check_times_quicker(Random random) {
   return {{lfd / gsmd - 70, "comparing two models", nullptr, {}, note}};
 }
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

@@ -4,7 +4,7 @@
 #include "claims/tests.h"
 #include "tables/rows.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 
 /// Rows of the tables, and what they came to, by label.
 class TestCollection {
@@ -37,4 +37,4 @@ std::vector<Finding> check_best_sum(const TestCollection& collection);
 /// "performs about 70 times quicker": the times of comparing two models, in one run.
 std::vector<Finding> check_times_quicker(Random random);
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

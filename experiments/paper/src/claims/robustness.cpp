@@ -8,7 +8,7 @@
 #include "rectilin/mesh/edits.h"
 #include "rectilin/mesh/source.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 namespace {
 
 constexpr double kDeleted = 0.9;  // the paper's 90 %
@@ -126,4 +126,4 @@ std::vector<Finding> check_simplification(Random) {
   return findings;
 }
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

@@ -3,7 +3,7 @@
 
 #include "claims/tests.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 
 /// If area vectors change by eta S in total, eta < 1, R changes by at most r_change_bound(eta): for
 /// faint noise on the mesh, and for a few holes in it. Margin: the bound less the certified change.
@@ -27,4 +27,4 @@ std::vector<Finding> check_deletion_on_small_shape(Random random);
 /// Simplified to a tenth of their faces, smooth shapes keep R to within 0.01.
 std::vector<Finding> check_simplification(Random random);
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

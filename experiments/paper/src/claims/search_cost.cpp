@@ -11,7 +11,7 @@
 #include "rectilin/optim/genetic.h"
 #include "rectilin/optim/run_record.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 namespace {
 
 constexpr double kStable = 1e-3;
@@ -97,4 +97,4 @@ std::vector<Finding> check_linear_cost(Random random) {
   return {finding};
 }
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

@@ -3,7 +3,7 @@
 
 #include "claims/tests.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 
 /// How much R rises after generation 150 of 200 in a run with the paper's parameters, on the
 /// paper's box.
@@ -25,4 +25,4 @@ std::vector<Finding> check_always_stable(Random random);
 /// of kRange in faces.
 std::vector<Finding> check_linear_cost(Random random);
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

@@ -6,7 +6,7 @@
 #include "claims/paper_box.h"
 #include "rectilin/mesh/source.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 
 namespace {
 
@@ -81,4 +81,4 @@ Finding check_chart(Random random, const Domain& domain) {
   return finding;
 }
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

@@ -4,7 +4,7 @@
 #include "claims/tests.h"
 #include "rectilin/optim/domain.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 
 /// Eq. (28) on a mesh in the pose it has: negative if R on the box [0, pi/2]^3 is certified to fall
 /// short of R.
@@ -24,4 +24,4 @@ Finding check_domain_on_mesh(const TestMesh& tested, Random random, const Domain
 /// The same for frames alone.
 Finding check_chart(Random random, const Domain& domain);
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

@@ -15,7 +15,7 @@
 #include "claims/search_domain.h"
 #include "claims/views.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 namespace {
 
 std::vector<tables::Row> only(std::vector<tables::Row> rows, const std::set<std::string>& labels) {
@@ -102,4 +102,4 @@ const std::vector<ClaimTest>& claim_tests() {
   return tests;
 }
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

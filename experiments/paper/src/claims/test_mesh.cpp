@@ -8,7 +8,7 @@
 #include "rectilin/measure/measure.h"
 #include "rectilin/mesh/source.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 
 namespace {
 
@@ -66,4 +66,4 @@ double r_change_bound(double eta) {
   return eta < 1 ? 3 * (1 + std::sqrt(3.0)) * eta / (1 - eta) : std::numeric_limits<double>::infinity();
 }
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

@@ -7,7 +7,7 @@
 #include "rectilin/base/rotation.h"
 #include "rectilin/measure/projected_area.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 
 /// Certified bounds of the least P/S: it is `found` at `rotation`, and no rotation has less than
 /// `lower`.
@@ -57,4 +57,4 @@ double coordinate_rounding(const Mesh& mesh, double area, bool moved = false);
 /// sqrt(3)) eta / (1 - eta) (papers/closed-forms.md, "Stability"). Infinite from eta = 1 on.
 double r_change_bound(double eta);
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

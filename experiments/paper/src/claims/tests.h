@@ -9,7 +9,7 @@
 #include "rectilin/paper/claims.h"
 #include "tables/retrieval_table.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 
 class TestCollection;
 
@@ -31,4 +31,4 @@ struct ClaimTest {
 
 const std::vector<ClaimTest>& claim_tests();
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

@@ -13,10 +13,10 @@
 #include "rectilin/mesh/source.h"
 #include "rectilin/paper/claims.h"
 
-namespace rectilin {
+namespace rectilin::paper {
 namespace {
 
-using namespace claims_detail;
+using namespace claims;
 
 /// A stream of random numbers for a claim and a mesh that does not depend on what else is tested.
 Random stream(std::uint64_t seed, std::string_view claim, std::string_view source) {
@@ -30,11 +30,11 @@ struct Job {
 
 std::vector<Job> jobs_for(const std::vector<std::string>& wanted) {
   std::vector<std::string> known;
-  for (const Claim& claim : claims()) known.push_back(claim.id);
+  for (const Claim& claim : all_claims()) known.push_back(claim.id);
   for (const std::string& id : wanted)
     if (std::ranges::find(known, id) == known.end()) throw_unknown_name("claim", id, known);
   std::vector<Job> jobs;
-  for (const Claim& claim : claims()) {
+  for (const Claim& claim : all_claims()) {
     if (!wanted.empty() && std::ranges::find(wanted, claim.id) == wanted.end()) continue;
     const auto test = std::ranges::find(claim_tests(), claim.id, &ClaimTest::claim);
     if (test == claim_tests().end()) throw std::logic_error("claim " + claim.id + " has no test");
@@ -211,4 +211,4 @@ const std::vector<std::string>& validation_shapes() {
   return shapes;
 }
 
-}  // namespace rectilin
+}  // namespace rectilin::paper

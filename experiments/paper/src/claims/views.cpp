@@ -6,7 +6,7 @@
 #include "rectilin/render/view_sphere.h"
 #include "tables/table_1.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 namespace {
 
 constexpr double kGsmdViews = 66, kLfdViews = 100;
@@ -81,4 +81,4 @@ std::vector<Finding> check_view_pairs(Random) {
            std::to_string(lfd / gsmd) + " times as many"}};
 }
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

@@ -3,7 +3,7 @@
 
 #include "claims/tests.h"
 
-namespace rectilin::claims_detail {
+namespace rectilin::paper::claims {
 
 /// Table 1 has 24 different permutations, and they are those of the cube's rotations.
 std::vector<Finding> check_table_1(Random random);
@@ -16,4 +16,4 @@ std::vector<Finding> check_storage(Random random);
 /// "about 70 times quicker": in pairs of views.
 std::vector<Finding> check_view_pairs(Random random);
 
-}  // namespace rectilin::claims_detail
+}  // namespace rectilin::paper::claims

@@ -6,7 +6,7 @@
 #include "figures/sample.h"
 #include "rectilin/mesh/shapes.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -59,4 +59,4 @@ Mesh chair(const ChairOptions& options) {
   return mesh;
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

@@ -3,7 +3,7 @@
 
 #include "rectilin/mesh/mesh.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 
 struct ChairOptions {
   int slats = 0;            ///< of the back, with gaps between them; 0: one solid board
@@ -15,4 +15,4 @@ struct ChairOptions {
 /// surfaces that overlap a little where they meet, as in most models made by hand.
 Mesh chair(const ChairOptions& options);
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

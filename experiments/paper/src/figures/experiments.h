@@ -7,7 +7,7 @@
 
 #include "rectilin/paper/experiment.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 
 Experiment fig1();
 Experiment fig2();
@@ -53,4 +53,4 @@ Experiment make_experiment(const std::string& name, std::string title, std::stri
   return {std::move(entry), std::move(takes), Spec::parse(spec).settings};
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

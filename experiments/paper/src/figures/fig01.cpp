@@ -2,7 +2,7 @@
 #include "figures/experiments.h"
 #include "figures/series.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 struct Introduction {
@@ -36,4 +36,4 @@ Experiment fig1() {
   return make_experiment<Introduction>("fig1", "Sphere, cylinder, rectilinear object and cube", "", "subdivisions=2");
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

@@ -2,7 +2,7 @@
 #include "figures/experiments.h"
 #include "figures/posed.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 struct TwoWays {
@@ -35,4 +35,4 @@ Experiment fig2() {
                                   "cabinets (default: a built-in L)", "");
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

@@ -5,7 +5,7 @@
 #include "figures/series.h"
 #include "rectilin/laboratory/statistics.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 struct Spheres {
@@ -36,7 +36,7 @@ struct Spheres {
     std::snprintf(text, sizeof text,
                   "R falls from %.4f (8 faces) to %.6f (%d faces), as faces^%.2f; its limit is 0 "
                   "(paper: eq. 26)",
-                  values.front(), values.back(), 8 << 2 * subdivisions, power_law_exponent(faces, values));
+                  values.front(), values.back(), 8 << 2 * subdivisions, laboratory::power_law_exponent(faces, values));
     measured.result.says = text;
     return measured.result;
   }
@@ -48,4 +48,4 @@ Experiment fig5() {
   return make_experiment<Spheres>("fig5", "Triangle meshes that converge to a sphere", "", "subdivisions=2");
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

@@ -13,7 +13,7 @@
 #include "rectilin/optim/genetic.h"
 #include "rectilin/optim/run_record.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 constexpr int kStable = 150;        // generations after which the paper calls the value stable
@@ -124,7 +124,7 @@ struct Convergence {
   }
 
   /// With few tics, for panels are small.
-  static Axis vertical(const Course& course) {
+  static report::Axis vertical(const Course& course) {
     double low = course.upper;
     for (const auto& run : course.runs) low = std::min(low, run.front());
     const double span = std::max(1e-6, course.upper - low), decade = std::pow(10, std::floor(std::log10(span / 2)));
@@ -135,24 +135,25 @@ struct Convergence {
             .step = step};
   }
 
-  NamedPlot curves(const std::vector<Course>& courses) const {
+  report::NamedPlot curves(const std::vector<Course>& courses) const {
     std::vector<std::string> columns = {"generation"};
     for (const Course& course : courses)
       for (const char* what : {"median", "q10", "q90", "certified"}) columns.push_back(course.title + " " + what);
-    Csv csv(columns);
+    report::Csv csv(columns);
     for (int g = 1; g <= genetic.generations; ++g) {
-      std::vector<Csv::Cell> row = {g};
+      std::vector<report::Csv::Cell> row = {g};
       for (const Course& course : courses) {
         const std::vector<double> values = course.at(g);
-        for (const double x : {median(values), quantile(values, 0.1), quantile(values, 0.9), course.upper})
+        for (const double x : {laboratory::median(values), laboratory::quantile(values, 0.1),
+                               laboratory::quantile(values, 0.9), course.upper})
           row.emplace_back(x);
       }
       csv.row(row);
     }
-    std::vector<Panel> panels;
+    std::vector<report::Panel> panels;
     for (int m = 0; m < static_cast<int>(courses.size()); ++m) {
       const int first = 2 + 4 * m;
-      Panel& panel = panels.emplace_back();
+      report::Panel& panel = panels.emplace_back();
       panel.title = courses[m].title;
       panel.x = {
           .label = "generation", .upper = static_cast<double>(genetic.generations), .step = genetic.generations / 4.0};
@@ -164,7 +165,7 @@ struct Convergence {
     return {"fig6",
             "R of the best individual so far: median and 10 % to 90 % quantiles of " + std::to_string(runs) +
                 " runs; dashed: the certified R.",
-            Plot("Convergence of the genetic algorithm", csv, panels, courses.size() == 1 ? 1 : 2)};
+            report::Plot("Convergence of the genetic algorithm", csv, panels, courses.size() == 1 ? 1 : 2)};
   }
 };
 
@@ -175,4 +176,4 @@ Experiment fig6() {
                                       "meshes (default: four built-in shapes)", "runs=4&generations=20");
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

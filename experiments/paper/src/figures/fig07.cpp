@@ -17,7 +17,7 @@
 #include "rectilin/optim/genetic.h"
 #include "rectilin/optim/run_record.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 constexpr std::array kGenerations = {50, 100, 200};
@@ -63,7 +63,7 @@ struct Timing {
       times[size] = time(area_vectors(load_mesh(source).mesh));
       result.data.push_back({{"origin", source}, {"directions", size}, {"seconds", times[size]}});
     }
-    NamedPlot plot = curves(times, context.meshes.empty());
+    report::NamedPlot plot = curves(times, context.meshes.empty());
     const auto& [size, slowest] = *times.rbegin();
     char text[240];
     std::snprintf(text, sizeof text,
@@ -108,28 +108,28 @@ struct Timing {
       sizes.push_back(static_cast<double>(at->first));
       seconds.push_back(at->second[kind][generations]);
     }
-    return power_law_exponent(sizes, seconds);
+    return laboratory::power_law_exponent(sizes, seconds);
   }
 
-  static NamedPlot curves(const std::map<std::size_t, Times>& times, bool refined) {
+  static report::NamedPlot curves(const std::map<std::size_t, Times>& times, bool refined) {
     std::vector<std::string> columns = {"directions"};
     for (const char* kind : kKinds)
       for (const int generations : kGenerations) columns.push_back(kind + (" " + std::to_string(generations)));
-    Csv csv(columns);
+    report::Csv csv(columns);
     for (const auto& [size, of_size] : times) {
-      std::vector<Csv::Cell> row = {size};
+      std::vector<report::Csv::Cell> row = {size};
       for (const auto& of_kind : of_size)
         for (const double t : of_kind) row.emplace_back(t);
       csv.row(row);
     }
-    Panel panel{.title = "",
-                .x = {.label = "faces",
-                      .logarithmic = true,
-                      .lower = static_cast<double>(times.begin()->first),
-                      .upper = static_cast<double>(times.rbegin()->first)},
-                .y = {.label = "seconds of processor time", .logarithmic = true},
-                .bands = {},
-                .curves = {}};
+    report::Panel panel{.title = "",
+                        .x = {.label = "faces",
+                              .logarithmic = true,
+                              .lower = static_cast<double>(times.begin()->first),
+                              .upper = static_cast<double>(times.rbegin()->first)},
+                        .y = {.label = "seconds of processor time", .logarithmic = true},
+                        .bands = {},
+                        .curves = {}};
     for (std::size_t kind = 0; kind < kKinds.size(); ++kind)
       for (std::size_t g = 0; g < kGenerations.size(); ++g) {
         char label[64];
@@ -139,7 +139,8 @@ struct Timing {
                                 .style = {.colour = static_cast<int>(kind), .dash = static_cast<int>(2 - g)}});
       }
     return {"fig7", "Generations and fitted exponents are in the legend. Parallel faces count as one.",
-            Plot(refined ? "Genetic algorithm, one mesh refined" : "Genetic algorithm, given meshes", csv, {panel})};
+            report::Plot(refined ? "Genetic algorithm, one mesh refined" : "Genetic algorithm, given meshes", csv,
+                         {panel})};
   }
 };
 
@@ -150,4 +151,4 @@ Experiment fig7() {
                                  "meshes, of which it picks some of every size (default: one refined)", "largest=3200");
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

@@ -5,7 +5,7 @@
 #include "figures/experiments.h"
 #include "figures/series.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 struct CutCubes {
@@ -42,4 +42,4 @@ Experiment fig8() {
   return make_experiment<CutCubes>("fig8", "Cubes cut in one direction, deeper and deeper", "", "steps=4");
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

@@ -5,7 +5,7 @@
 #include "figures/experiments.h"
 #include "figures/series.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 /// R of the ideal shape in its symmetric pose: a cube of side 1 with edges of radius r. Its surface
@@ -54,4 +54,4 @@ Experiment fig9() {
   return make_experiment<FilletedCubes>("fig9", "Filleted cubes of growing radius", "", "steps=4&segments=4");
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

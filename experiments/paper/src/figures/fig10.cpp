@@ -4,7 +4,7 @@
 #include "figures/experiments.h"
 #include "figures/series.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 /// R that ever longer ellipsoids tend to: nearly all faces lie along the axis, evenly around it.
@@ -32,8 +32,8 @@ struct Ellipsoids {
                           "shape:ellipsoid?a=" + number(length) + "&b=1&c=1&faces=" + std::to_string(faces))});
     }
     MeasuredSeries measured = measure(series, context);
-    measured.result.says = "R " + course_text(measured.members) + " with the length (paper: well behaved); the limit is " +
-                           four_digits(kNeedle);
+    measured.result.says = "R " + course_text(measured.members) +
+                           " with the length (paper: well behaved); the limit is " + four_digits(kNeedle);
     return measured.result;
   }
 };
@@ -44,4 +44,4 @@ Experiment fig10() {
   return make_experiment<Ellipsoids>("fig10", "Ellipsoids, longer and longer", "", "steps=4&faces=500");
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

@@ -7,7 +7,7 @@
 #include "rectilin/laboratory/results.h"
 #include "rectilin/mesh/shapes.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 struct Ranking {
@@ -26,7 +26,7 @@ struct Ranking {
         samples.push_back(
             sample(shape.name, "shape:" + shape.name + (shape.name == "sphere" ? "?subdivisions=3" : "")));
     } else {
-      const std::vector<std::string> names = titles(context.meshes);
+      const std::vector<std::string> names = laboratory::titles(context.meshes);
       for (std::size_t i = 0; i < names.size(); ++i) samples.push_back(sample(names[i], context.meshes[i]));
     }
     std::vector<Measured> results = measure_all(samples, context);
@@ -72,4 +72,4 @@ Experiment fig11() {
   return make_experiment<Ranking>("fig11", "Meshes ranked by R", "meshes (default: all built-in shapes)", "");
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

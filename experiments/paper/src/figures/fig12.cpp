@@ -8,7 +8,7 @@
 #include "figures/sample.h"
 #include "rectilin/mesh/edits.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 constexpr std::array kNoise = {0.0003, 0.001, 0.003, 0.01};  // standard deviations, in largest extents
@@ -108,25 +108,26 @@ struct Disturbances {
            number(100 * kNoise[kSmall]) + " % of the extent changes it by " + noise + " (paper: robust to both)";
   }
 
-  static NamedPlot curves(const std::vector<Family>& families, const std::vector<Measured>& results) {
+  static report::NamedPlot curves(const std::vector<Family>& families, const std::vector<Measured>& results) {
     std::vector<std::string> columns = {"noise"};
     for (const Family& family : families) columns.push_back(family.title);
-    Csv csv(columns);
+    report::Csv csv(columns);
     for (std::size_t i = 0; i <= kNoise.size(); ++i) {
-      std::vector<Csv::Cell> row = {i == 0 ? 0 : 100 * kNoise[i - 1]};
+      std::vector<report::Csv::Cell> row = {i == 0 ? 0 : 100 * kNoise[i - 1]};
       for (const Family& family : families) {
         const Measured& r = results[i == 0 ? family.original : family.noise[i - 1]];
         row.emplace_back(r.error.empty() ? r.result.value : NAN);
       }
       csv.row(row);
     }
-    Panel panel{.title = "", .x = {.label = "noise, % of the extent"}, .y = {.label = "R"}, .bands = {}, .curves = {}};
+    report::Panel panel{
+        .title = "", .x = {.label = "noise, % of the extent"}, .y = {.label = "R"}, .bands = {}, .curves = {}};
     for (int m = 0; m < static_cast<int>(families.size()); ++m)
       panel.curves.push_back({.y = 2 + m, .label = families[m].title, .style = {.colour = m}, .points = true});
     return {"fig12",
             "What noise does depends on the faces: it turns them by about its size over the length "
             "of their edges.",
-            Plot("R with noise", csv, {panel})};
+            report::Plot("R with noise", csv, {panel})};
   }
 };
 
@@ -137,4 +138,4 @@ Experiment fig12() {
                                        "meshes (default: a chair it makes itself)", "finest=1000");
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

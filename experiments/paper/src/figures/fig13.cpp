@@ -9,7 +9,7 @@
 #include "rectilin/laboratory/statistics.h"
 #include "rectilin/mesh/edits.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 constexpr std::array kDeleted = {0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 0.99};
@@ -76,7 +76,7 @@ struct Deletion {
         Spread& spread = of_model.emplace_back();
         if (values.empty()) continue;
         const auto [least, largest] = std::ranges::minmax(values);
-        spread = {least, median(values), largest, std::max(largest - whole, whole - least)};
+        spread = {least, laboratory::median(values), largest, std::max(largest - whole, whole - least)};
       }
     }
     return spreads;
@@ -90,13 +90,13 @@ struct Deletion {
     return text + " in " + std::to_string(runs) + " runs (paper: less than 0.005)";
   }
 
-  static Csv table(const std::vector<Model>& models, const std::vector<std::vector<Spread>>& spreads) {
+  static report::Csv table(const std::vector<Model>& models, const std::vector<std::vector<Spread>>& spreads) {
     std::vector<std::string> columns = {"deleted", "claimed"};
     for (const Model& model : models)
       for (const char* what : {"median", "least", "largest", "change"}) columns.push_back(model.title + " " + what);
-    Csv csv(columns);
+    report::Csv csv(columns);
     for (std::size_t i = 0; i < kDeleted.size(); ++i) {
-      std::vector<Csv::Cell> row = {100 * kDeleted[i], kClaimed};
+      std::vector<report::Csv::Cell> row = {100 * kDeleted[i], kClaimed};
       for (const auto& of_model : spreads)
         for (const double x : {of_model[i].median, of_model[i].least, of_model[i].largest, of_model[i].change})
           row.emplace_back(x);
@@ -105,26 +105,27 @@ struct Deletion {
     return csv;
   }
 
-  NamedPlot curves(const std::vector<Model>& models, const std::vector<std::vector<Spread>>& spreads) const {
-    Panel panel{.title = "", .x = {.label = "faces deleted, %"}, .y = {.label = "R"}, .bands = {}, .curves = {}};
+  report::NamedPlot curves(const std::vector<Model>& models, const std::vector<std::vector<Spread>>& spreads) const {
+    report::Panel panel{
+        .title = "", .x = {.label = "faces deleted, %"}, .y = {.label = "R"}, .bands = {}, .curves = {}};
     for (int m = 0; m < static_cast<int>(models.size()); ++m) {
       panel.bands.push_back({.low = 4 + 4 * m, .high = 5 + 4 * m, .style = {.colour = m}});
       panel.curves.push_back({.y = 3 + 4 * m, .label = models[m].title, .style = {.colour = m}, .points = true});
     }
     return {"fig13", "Median and range of R over " + std::to_string(runs) + " random choices of the deleted faces.",
-            Plot("R of what random deletion leaves", table(models, spreads), {panel})};
+            report::Plot("R of what random deletion leaves", table(models, spreads), {panel})};
   }
 
-  NamedPlot changes(const std::vector<Model>& models, const std::vector<std::vector<Spread>>& spreads) const {
-    Panel panel{.title = "",
-                .x = {.label = "faces deleted, %"},
-                .y = {.label = "largest change of R", .logarithmic = true},
-                .bands = {},
-                .curves = {{.y = 2, .label = "0.005", .style = {.colour = 6, .dash = 1}}}};
+  report::NamedPlot changes(const std::vector<Model>& models, const std::vector<std::vector<Spread>>& spreads) const {
+    report::Panel panel{.title = "",
+                        .x = {.label = "faces deleted, %"},
+                        .y = {.label = "largest change of R", .logarithmic = true},
+                        .bands = {},
+                        .curves = {{.y = 2, .label = "0.005", .style = {.colour = 6, .dash = 1}}}};
     for (int m = 0; m < static_cast<int>(models.size()); ++m)
       panel.curves.push_back({.y = 6 + 4 * m, .label = models[m].title, .style = {.colour = m}, .points = true});
     return {"fig13-change", "Largest change of R over the runs. The paper reports less than 0.005 at 90 %.",
-            Plot("How far R moves", table(models, spreads), {panel})};
+            report::Plot("How far R moves", table(models, spreads), {panel})};
   }
 };
 
@@ -135,4 +136,4 @@ Experiment fig13() {
                                    "runs=2&faces=2000");
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

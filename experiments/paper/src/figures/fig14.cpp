@@ -7,7 +7,7 @@
 #include "figures/sample.h"
 #include "rectilin/mesh/edits.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 constexpr std::array kKept = {1.0, 0.5, 0.25, 0.1, 0.05, 0.025, 0.01};
@@ -61,13 +61,13 @@ struct Simplification {
     return four_digits(largest);
   }
 
-  static NamedPlot curves(const std::vector<Model>& models, const std::vector<Measured>& results) {
+  static report::NamedPlot curves(const std::vector<Model>& models, const std::vector<Measured>& results) {
     std::vector<std::string> columns = {"asked"};
     for (const Model& model : models)
       for (const char* what : {"faces", "left", "R"}) columns.push_back(model.title + " " + what);
-    Csv csv(columns);
+    report::Csv csv(columns);
     for (std::size_t i = 0; i < kKept.size(); ++i) {
-      std::vector<Csv::Cell> row = {100 * kKept[i]};
+      std::vector<report::Csv::Cell> row = {100 * kKept[i]};
       for (std::size_t m = 0; m < models.size(); ++m) {
         const Measured& r = results[m * kKept.size() + i];
         const bool known = r.error.empty();
@@ -77,15 +77,15 @@ struct Simplification {
       }
       csv.row(row);
     }
-    Panel panel{.title = "",
-                .x = {.label = "faces left, %", .logarithmic = true, .lower = 0.8, .upper = 100},
-                .y = {.label = "R"},
-                .bands = {},
-                .curves = {}};
+    report::Panel panel{.title = "",
+                        .x = {.label = "faces left, %", .logarithmic = true, .lower = 0.8, .upper = 100},
+                        .y = {.label = "R"},
+                        .bands = {},
+                        .curves = {}};
     for (int m = 0; m < static_cast<int>(models.size()); ++m)
       panel.curves.push_back(
           {.x = 3 + 3 * m, .y = 4 + 3 * m, .label = models[m].title, .style = {.colour = m}, .points = true});
-    return {"fig14", "R of simplified meshes.", Plot("R of simplified meshes", csv, {panel})};
+    return {"fig14", "R of simplified meshes.", report::Plot("R of simplified meshes", csv, {panel})};
   }
 };
 
@@ -96,4 +96,4 @@ Experiment fig14() {
                                          "meshes (default: a torus and a rough blob)", "faces=2000");
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

@@ -4,7 +4,7 @@
 #include "figures/experiments.h"
 #include "figures/series.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 struct SteppedPyramids {
@@ -40,4 +40,4 @@ Experiment fig15() {
   return make_experiment<SteppedPyramids>("fig15", "Stepped pyramids against the smooth one", "", "steps=8");
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

@@ -4,7 +4,7 @@
 #include "figures/experiments.h"
 #include "figures/posed.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 /// What the rule of section 6 chose, and by how much of the larger sum.
@@ -93,4 +93,4 @@ Experiment fig18() {
                                           "models (default: built-in shapes)", "");
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

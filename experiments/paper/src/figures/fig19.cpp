@@ -4,7 +4,7 @@
 #include "figures/experiments.h"
 #include "figures/posed.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 struct Criterion {
@@ -41,4 +41,4 @@ Experiment fig19() {
                                     "a cabinet (default: a built-in L)", "");
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

@@ -5,7 +5,7 @@
 #include "figures/experiments.h"
 #include "figures/posed.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 constexpr double kRightAngle = 10 * std::numbers::pi / 180;
@@ -71,4 +71,4 @@ Experiment fig20() {
                                    "models whose axes are right (default: built-in shapes)", "");
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

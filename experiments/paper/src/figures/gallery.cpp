@@ -6,7 +6,7 @@
 #include "figures/sample.h"
 #include "rectilin/mesh/source.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 Mesh turned(Mesh mesh, const Eigen::Matrix3d& rotation) {
@@ -75,4 +75,4 @@ struct Gallery {
 
 Experiment gallery() { return make_experiment<Gallery>("gallery", "Objects in any pose and in their own", "", ""); }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

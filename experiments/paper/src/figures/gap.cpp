@@ -6,7 +6,7 @@
 #include "figures/experiments.h"
 #include "figures/sample.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 /// One trajectory; thinned, as thousands of steps look the same as a hundred.
@@ -37,16 +37,16 @@ Trajectory follow(const Sample& sample, const ExperimentContext& context) {
 }
 
 /// Three columns a mesh: cells, seconds, gap.
-Csv table(const std::vector<Trajectory>& paths) {
+report::Csv table(const std::vector<Trajectory>& paths) {
   std::vector<std::string> columns;
   std::size_t rows = 0;
   for (const Trajectory& path : paths) {
     for (const char* what : {" cells", " seconds", " gap"}) columns.push_back(std::string(path.label).append(what));
     rows = std::max(rows, path.gap.size());
   }
-  Csv csv(columns);
+  report::Csv csv(columns);
   for (std::size_t i = 0; i < rows; ++i) {
-    std::vector<Csv::Cell> cells;
+    std::vector<report::Csv::Cell> cells;
     for (const Trajectory& path : paths)
       for (const auto* column : {&path.cells, &path.seconds, &path.gap})
         cells.emplace_back(i < column->size() ? (*column)[i] : NAN);
@@ -55,16 +55,16 @@ Csv table(const std::vector<Trajectory>& paths) {
   return csv;
 }
 
-NamedPlot picture(const std::vector<Trajectory>& paths, const std::string& name, const std::string& caption,
-                  const Axis& x, int column) {
-  Panel panel{.title = "", .x = x, .y = {.label = "gap of R", .logarithmic = true}, .bands = {}, .curves = {}};
+report::NamedPlot picture(const std::vector<Trajectory>& paths, const std::string& name, const std::string& caption,
+                          const report::Axis& x, int column) {
+  report::Panel panel{.title = "", .x = x, .y = {.label = "gap of R", .logarithmic = true}, .bands = {}, .curves = {}};
   for (int i = 0; i < std::ssize(paths); ++i)
     panel.curves.push_back({.x = 3 * i + column,
                             .y = 3 * i + 3,
                             .label = paths[static_cast<std::size_t>(i)].label,
-                            .style = {.colour = i, .dash = i / LineStyle::kColours},
+                            .style = {.colour = i, .dash = i / report::LineStyle::kColours},
                             .steps = true});
-  return {name, caption, Plot("The certified interval closes", table(paths), {panel})};
+  return {name, caption, report::Plot("The certified interval closes", table(paths), {panel})};
 }
 
 struct Gap {
@@ -120,4 +120,4 @@ Experiment gap() {
                               "meshes of different kinds", "");
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

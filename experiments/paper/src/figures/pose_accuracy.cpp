@@ -15,7 +15,7 @@
 #include "rectilin/pose/pose.h"
 #include "rectilin/pose/roundness.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
@@ -118,7 +118,7 @@ struct Accuracy {
     ExperimentResult result;
     std::vector<std::vector<ScoredPose>> poses(names.size());
     std::size_t models = 0, round = 0;
-    const std::vector<std::string> labels = titles(sources);
+    const std::vector<std::string> labels = laboratory::titles(sources);
     const auto deliver = [&](std::size_t i, rectilin::Outcome<Outcome>&& item) {
       if (!item.value) {
         result.errors.push_back(item.error);
@@ -209,38 +209,40 @@ struct Accuracy {
   }
 
   /// A row a degree: the share within it, by each method.
-  static NamedPlot curves(const std::vector<std::string>& names, const std::vector<std::vector<ScoredPose>>& poses) {
+  static report::NamedPlot curves(const std::vector<std::string>& names,
+                                  const std::vector<std::vector<ScoredPose>>& poses) {
     std::vector<std::string> columns = {"degrees"};
     for (const std::string& name : names) columns.push_back(name);
-    Csv csv(columns);
+    report::Csv csv(columns);
     for (int degrees = 0; degrees <= kCurve; ++degrees) {
-      std::vector<Csv::Cell> row = {degrees};
+      std::vector<report::Csv::Cell> row = {degrees};
       for (const auto& of_method : poses) row.emplace_back(share_within(of_method, degrees, Rule::kRevolved).value());
       csv.row(row);
     }
-    Panel panel{.title = "",
-                .x = {.label = "degrees", .lower = 0, .upper = kCurve},
-                .y = {.label = "share of poses within", .lower = 0, .upper = 1},
-                .bands = {},
-                .curves = {}};
+    report::Panel panel{.title = "",
+                        .x = {.label = "degrees", .lower = 0, .upper = kCurve},
+                        .y = {.label = "share of poses within", .lower = 0, .upper = 1},
+                        .bands = {},
+                        .curves = {}};
     for (int m = 0; m < std::ssize(names); ++m)
       panel.curves.push_back({.y = m + 2,
                               .label = names[static_cast<std::size_t>(m)],
-                              .style = {.colour = m, .dash = m / LineStyle::kColours}});
+                              .style = {.colour = m, .dash = m / report::LineStyle::kColours}});
     return {"pose-accuracy", "Angle to the nearest of the 24 right frames; of bodies of revolution, to their axis.",
-            Plot("How often is the pose right?", csv, {panel})};
+            report::Plot("How often is the pose right?", csv, {panel})};
   }
 
-  static NamedPlot by_class(const std::vector<std::string>& names, const std::vector<std::vector<ScoredPose>>& poses) {
+  static report::NamedPlot by_class(const std::vector<std::string>& names,
+                                    const std::vector<std::vector<ScoredPose>>& poses) {
     std::set<std::string> groups;
     for (const ScoredPose& pose : poses.front()) groups.insert(pose.group);
-    HeatMap map{
+    report::HeatMap map{
         .title = "Share within 10 degrees by class", .scale = "share", .rows = {}, .columns = names, .values = {}};
     std::vector<std::string> columns = {"class"};
     columns.insert(columns.end(), names.begin(), names.end());
-    Csv csv(columns);
+    report::Csv csv(columns);
     for (const std::string& group : groups) {
-      std::vector<Csv::Cell> row = {group};
+      std::vector<report::Csv::Cell> row = {group};
       std::vector<double> values;
       for (const auto& of_method : poses) {
         std::vector<ScoredPose> own;
@@ -253,7 +255,7 @@ struct Accuracy {
       map.values.push_back(values);
     }
     return {"pose-accuracy-classes", "Revolution-aware. Where no method is right the given axes may be wrong.",
-            Plot(csv, map)};
+            report::Plot(csv, map)};
   }
 };
 
@@ -264,4 +266,4 @@ Experiment pose_accuracy() {
                                    "models whose axes are right", "methods=pca,rectilinear,cpn,composite");
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

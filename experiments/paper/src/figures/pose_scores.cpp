@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <numbers>
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 constexpr double kZ = 1.959963984540054;  // 97.5 % of a normal distribution lie below
@@ -66,4 +66,4 @@ std::optional<std::string> class_of(const std::string& source, const std::map<st
   return std::nullopt;
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

@@ -10,7 +10,7 @@
 #include "rectilin/base/rotation.h"
 #include "rectilin/retrieval/classification.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 
 /// A pose of a model, in the coordinates in which its axes are the right ones.
 struct ScoredPose {
@@ -51,4 +51,4 @@ std::map<std::string, std::string> classes_by_model(const retrieval::Classificat
 /// The class of a mesh file by its name: the stem, or the stem less a leading m; nothing if it is in none.
 std::optional<std::string> class_of(const std::string& source, const std::map<std::string, std::string>& classes);
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

@@ -10,7 +10,7 @@
 #include "rectilin/pose/summed_silhouette.h"
 #include "rectilin/pose/views.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 constexpr double kTolerance = 1e-5;  // of silhouettes
@@ -39,8 +39,8 @@ void check(const std::vector<PosedModel>& models) {
     throw MeshError(models.empty() ? "no meshes" : models.front().error);
 }
 
-Csv table(const std::vector<PosedModel>& models) {
-  Csv csv({"model", "origin", "method", "chosen", "silhouettes", "projected", "confidence"});
+report::Csv table(const std::vector<PosedModel>& models) {
+  report::Csv csv({"model", "origin", "method", "chosen", "silhouettes", "projected", "confidence"});
   for (const PosedModel& model : models)
     for (const auto& of : model.poses)
       csv.row({model.title, model.source, of.method, of.pose.chosen, of.silhouettes,
@@ -53,7 +53,7 @@ Csv table(const std::vector<PosedModel>& models) {
 Defaults sources_of(const ExperimentContext& context, const Defaults& defaults) {
   if (context.meshes.empty()) return defaults;
   Defaults wanted;
-  const std::vector<std::string> names = titles(context.meshes);
+  const std::vector<std::string> names = laboratory::titles(context.meshes);
   for (std::size_t i = 0; i < names.size(); ++i) wanted.emplace_back(names[i], context.meshes[i]);
   return wanted;
 }
@@ -128,4 +128,4 @@ std::vector<std::string> errors(const std::vector<PosedModel>& models) {
   return lines;
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

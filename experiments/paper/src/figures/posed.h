@@ -7,7 +7,7 @@
 #include "figures/sample.h"
 #include "rectilin/pose/pose.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 
 /// A model in the poses of some methods.
 struct PosedModel {
@@ -39,4 +39,4 @@ Sheet sheet_of_silhouettes(std::string name, std::string caption, const std::vec
 Json to_json(const std::vector<PosedModel>& models);
 std::vector<std::string> errors(const std::vector<PosedModel>& models);
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

@@ -9,7 +9,7 @@
 #include "rectilin/optim/certify.h"
 #include "rectilin/optim/run_record.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 Measured measured(const Sample& sample, const ExperimentContext& context) {
@@ -47,7 +47,7 @@ std::vector<Model> load_models(const ExperimentContext& context, const Defaults&
   Defaults wanted = defaults;
   if (!context.meshes.empty()) {
     wanted.clear();
-    const std::vector<std::string> names = titles(context.meshes);
+    const std::vector<std::string> names = laboratory::titles(context.meshes);
     for (std::size_t i = 0; i < names.size(); ++i) wanted.emplace_back(names[i], context.meshes[i]);
   }
   std::vector<Model> models;
@@ -96,7 +96,7 @@ Json to_json(const std::vector<Sample>& samples, const std::vector<Measured>& re
 
 Sheet sheet(std::string name, std::string caption, const std::vector<Sample>& samples,
             const std::vector<Measured>& results, int columns) {
-  Csv csv({"label", "origin", "error", "faces", "directions", "R", "lower", "upper"});
+  report::Csv csv({"label", "origin", "error", "faces", "directions", "R", "lower", "upper"});
   std::vector<SheetCell> cells;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const Measured& r = results[i];
@@ -128,4 +128,4 @@ std::string number(double x) {
   return text;
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

@@ -13,7 +13,7 @@
 #include "rectilin/render/thumbnail.h"
 #include "rectilin/report/contact_sheet.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 
 using render::Up;
 using report::ContactSheet;
@@ -87,4 +87,4 @@ std::string four_digits(double rectilinearity);
 /// A number in six digits at most, as in the settings of a shape.
 std::string number(double x);
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

@@ -4,35 +4,36 @@
 #include <cmath>
 #include <functional>
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 constexpr std::size_t kMostPictures = 8;  // pictures of meshes
 
-NamedPlot curve(const Series& series, const MeasuredSeries& measured) {
+report::NamedPlot curve(const Series& series, const MeasuredSeries& measured) {
   std::vector<std::string> columns = {series.axis.label, "R", "lower", "upper", "faces"};
   for (const Sample& other : series.compared) columns.push_back(other.label);
-  Csv csv(columns);
+  report::Csv csv(columns);
   for (std::size_t i = 0; i < series.members.size(); ++i) {
     const Measured& m = measured.members[i];
     const bool known = m.error.empty();
-    std::vector<Csv::Cell> row = {series.members[i].number, known ? m.result.value : NAN, known ? m.lower() : NAN,
-                                  known ? m.upper() : NAN, m.result.faces};
+    std::vector<report::Csv::Cell> row = {series.members[i].number, known ? m.result.value : NAN,
+                                          known ? m.lower() : NAN, known ? m.upper() : NAN, m.result.faces};
     for (const Measured& other : measured.compared) row.push_back(other.error.empty() ? other.result.value : NAN);
     csv.row(row);
   }
-  Axis x = series.axis;
+  report::Axis x = series.axis;
   if (x.logarithmic) {  // gnuplot's own choice are whole decades
     x.lower = series.members.front().number;
     x.upper = series.members.back().number;
   }
-  Panel panel{.title = "", .x = x, .y = {.label = "R", .logarithmic = series.logarithmic}, .bands = {}, .curves = {}};
+  report::Panel panel{
+      .title = "", .x = x, .y = {.label = "R", .logarithmic = series.logarithmic}, .bands = {}, .curves = {}};
   for (std::size_t i = 0; i < series.compared.size(); ++i)
     panel.curves.push_back({.y = 6 + static_cast<int>(i),
                             .label = series.compared[i].label,
                             .style = {.colour = 1 + static_cast<int>(i), .dash = 1}});
   panel.curves.push_back({.y = 2, .label = series.compared.empty() ? "" : "R", .style = {}, .points = true});
-  return {series.name, series.caption, Plot(series.title, csv, {panel})};
+  return {series.name, series.caption, report::Plot(series.title, csv, {panel})};
 }
 
 /// Marks the first, the last, and some evenly between them to be shown.
@@ -72,4 +73,4 @@ MeasuredSeries measure(const Series& series, const ExperimentContext& context) {
   return measured;
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

@@ -6,13 +6,13 @@
 
 #include "figures/sample.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 
 struct Series {
   std::string name;          ///< of the files
   std::string title;         ///< of the picture
   std::string caption;       ///< what to see in it
-  Axis axis;                 ///< of the number
+  report::Axis axis;         ///< of the number
   bool logarithmic = false;  ///< the scale of R
 
   struct Member {
@@ -35,4 +35,4 @@ std::string course_text(const std::vector<Measured>& members);
 /// Measures all and draws R against the number.
 MeasuredSeries measure(const Series& series, const ExperimentContext& context);
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

@@ -10,7 +10,7 @@
 #include "rectilin/mesh/source.h"
 #include "rectilin/optim/adapters/all_optimizers.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 struct Search {
@@ -39,7 +39,7 @@ Row measured(const std::string& mesh, const ExperimentContext& context) {
   Row row;
   row.mesh = mesh;
   const ProjectedArea objective(area_vectors(load_mesh(mesh).mesh));
-  const RunSettings settings = {.seed = instance(context.seed, mesh, 0).run_seed, .stop = context.stop};
+  const RunSettings settings = {.seed = laboratory::instance(context.seed, mesh, 0).run_seed, .stop = context.stop};
   row.optimum = measure(objective, {.certify = {.gap = resolution(context)}, .run = settings}).value;
   for (const Search& search : searches()) {
     MeasureOptions options = measure_options(search.optimizer, all_optimizers());
@@ -89,14 +89,14 @@ Json summarise(const std::vector<Row>& rows, std::size_t search) {
           {"optimizer", searches()[search].optimizer},
           {"domain", searches()[search].domain.name()},
           {"within", within},
-          {"median", median(shortfalls)},
+          {"median", laboratory::median(shortfalls)},
           {"worst", worst->shortfall[search]},
           {"worst_mesh", worst->mesh},
-          {"median_evaluations", median(evaluations)}};
+          {"median_evaluations", laboratory::median(evaluations)}};
 }
 
 /// Share of the meshes on which a search falls short by more than x.
-NamedPlot distribution(const std::vector<Row>& rows, double gap) {
+report::NamedPlot distribution(const std::vector<Row>& rows, double gap) {
   std::vector<std::string> columns = {"share"};
   std::vector<std::vector<double>> sorted(searches().size());
   for (std::size_t s = 0; s < sorted.size(); ++s) {
@@ -105,22 +105,23 @@ NamedPlot distribution(const std::vector<Row>& rows, double gap) {
       if (row.error.empty()) sorted[s].push_back(std::max(row.shortfall[s], gap));
     std::ranges::sort(sorted[s], std::greater());
   }
-  Csv csv(columns);
+  report::Csv csv(columns);
   for (std::size_t i = 0; i < sorted.front().size(); ++i) {
-    std::vector<Csv::Cell> cells = {static_cast<double>(i + 1) / static_cast<double>(sorted.front().size())};
+    std::vector<report::Csv::Cell> cells = {static_cast<double>(i + 1) / static_cast<double>(sorted.front().size())};
     for (const auto& column : sorted) cells.emplace_back(column[i]);
     csv.row(cells);
   }
-  Panel panel{.title = "",
-              .x = {.label = "falls short by at least this much of R", .logarithmic = true, .lower = gap, .upper = 1},
-              .y = {.label = "share of meshes", .lower = 0, .upper = 1},
-              .bands = {},
-              .curves = {}};
+  report::Panel panel{
+      .title = "",
+      .x = {.label = "falls short by at least this much of R", .logarithmic = true, .lower = gap, .upper = 1},
+      .y = {.label = "share of meshes", .lower = 0, .upper = 1},
+      .bands = {},
+      .curves = {}};
   for (int s = 0; s < std::ssize(sorted); ++s)
     panel.curves.push_back(
         {.x = s + 2, .y = 1, .label = searches()[static_cast<std::size_t>(s)].label, .style = {.colour = s}});
   return {"shortfall", "How far below the certified optimum each search ends; the further left, the better.",
-          Plot("Falling short of the optimum", csv, {panel})};
+          report::Plot("Falling short of the optimum", csv, {panel})};
 }
 
 struct Shortfall {
@@ -170,4 +171,4 @@ Experiment shortfall() {
                                     "meshes, or folders of them", "poses=1");
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

@@ -12,7 +12,7 @@
 #include "rectilin/mesh/source.h"
 #include "rectilin/retrieval/features.h"
 
-namespace rectilin::tables {
+namespace rectilin::paper::tables {
 namespace {
 
 namespace fs = std::filesystem;
@@ -178,8 +178,8 @@ ExperimentResult present(const std::string& name, const std::string& title, cons
   ExperimentResult result;
   result.errors = table.errors;
   result.says = "DCG on " + table.collection + " (paper, on the benchmark's test half):";
-  Csv data({"row", "label", "NN", "FT", "ST", "DCG", "DCG_low", "DCG_high", "paper_NN", "paper_FT", "paper_ST",
-            "paper_DCG", "bytes", "describe_seconds", "compare_seconds"});
+  report::Csv data({"row", "label", "NN", "FT", "ST", "DCG", "DCG_low", "DCG_high", "paper_NN", "paper_FT", "paper_ST",
+                    "paper_DCG", "bytes", "describe_seconds", "compare_seconds"});
   int index = 0;
   for (const ScoredRow& r : table.rows) {
     const bool cited = r.row.descriptor.empty();
@@ -203,7 +203,7 @@ ExperimentResult present(const std::string& name, const std::string& title, cons
                            {"describe_seconds", r.describe_seconds},
                            {"compare_seconds", r.compare_seconds}});
   }
-  Panel panel;
+  report::Panel panel;
   panel.x = {.label = "row", .lower = 0.5, .upper = index + 0.5, .step = 1};
   panel.y = {.label = "DCG, percent"};
   panel.bands.push_back({.x = 1, .low = 7, .high = 8, .style = {}});
@@ -213,8 +213,8 @@ ExperimentResult present(const std::string& name, const std::string& title, cons
   for (int i = 0; i < index; ++i)
     caption +=
         (i > 0 ? ", " : "Rows: ") + std::to_string(i + 1) + " " + table.rows[static_cast<std::size_t>(i)].row.label;
-  result.plots.push_back({name, caption + ".", Plot(title, std::move(data), {panel})});
+  result.plots.push_back({name, caption + ".", report::Plot(title, std::move(data), {panel})});
   return result;
 }
 
-}  // namespace rectilin::tables
+}  // namespace rectilin::paper::tables

@@ -11,7 +11,7 @@
 #include "rectilin/retrieval/scores.h"
 #include "rectilin/retrieval/significance.h"
 
-namespace rectilin::tables {
+namespace rectilin::paper::tables {
 
 /// 1-NN, first tier, second tier and DCG in percent; NaN where the paper has a dash.
 using PaperScores = std::array<double, 4>;
@@ -55,4 +55,4 @@ ScoredTable score(const std::vector<Row>& rows, const TableSettings& settings, c
 /// Ours beside the paper's, with a picture of the DCG.
 ExperimentResult present(const std::string& name, const std::string& title, const ScoredTable& table);
 
-}  // namespace rectilin::tables
+}  // namespace rectilin::paper::tables

@@ -1,6 +1,6 @@
 #include "tables/rows.h"
 
-namespace rectilin::tables {
+namespace rectilin::paper::tables {
 namespace {
 
 const std::string kSilhouettes = "gsmd?image=silhouette&size=$size";
@@ -58,4 +58,4 @@ std::vector<Row> table6_rows() {
           {"SWC", "swc", {46.9, 31.4, 39.7, 65.4}}};
 }
 
-}  // namespace rectilin::tables
+}  // namespace rectilin::paper::tables

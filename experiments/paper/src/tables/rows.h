@@ -5,7 +5,7 @@
 
 #include "tables/retrieval_table.h"
 
-namespace rectilin::tables {
+namespace rectilin::paper::tables {
 
 /// Silhouettes from 6 to 258 views, and LFD. As in the paper the pose is CPN; the last row is the best rectilinear pose
 /// alone, for comparison.
@@ -21,4 +21,4 @@ std::vector<Row> table5_rows();
 /// The best sum beside other methods, of which some are built and some cited.
 std::vector<Row> table6_rows();
 
-}  // namespace rectilin::tables
+}  // namespace rectilin::paper::tables

@@ -9,7 +9,7 @@
 #include "rectilin/render/view_sphere.h"
 #include "tables/table_1.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 using tables::Permutation;
@@ -65,7 +65,7 @@ struct Figure21 {
   void bind(Parameters& parameters) { parameters.integer("levels", levels, 1, 5, "spheres, from the octahedron on"); }
   ExperimentResult run(const ExperimentContext&) const {
     ExperimentResult result;
-    Csv data({"level", "views", "edges", "faces"});
+    report::Csv data({"level", "views", "edges", "faces"});
     constexpr int kRadius = 90, kStep = 210;
     std::ostringstream svg;
     const int width = kStep * levels;
@@ -99,4 +99,4 @@ Experiment fig21() {
   return make_experiment<Figure21>("fig21", "Geodesic spheres made from an octahedron", "", "levels=2");
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

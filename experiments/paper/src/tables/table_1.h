@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace rectilin::tables {
+namespace rectilin::paper::tables {
 
 using Permutation = std::array<int, 6>;
 
@@ -15,4 +15,4 @@ inline constexpr std::array<Permutation, 24> kTable1{
      {5, 4, 1, 0, 2, 3}, {2, 3, 1, 0, 4, 5}, {2, 3, 4, 5, 0, 1}, {2, 3, 0, 1, 5, 4}, {2, 3, 5, 4, 1, 0},
      {3, 2, 0, 1, 4, 5}, {3, 2, 4, 5, 1, 0}, {3, 2, 1, 0, 5, 4}, {3, 2, 5, 4, 0, 1}}};
 
-}  // namespace rectilin::tables
+}  // namespace rectilin::paper::tables

@@ -3,7 +3,7 @@
 #include "tables/retrieval_table.h"
 #include "tables/rows.h"
 
-namespace rectilin::figures {
+namespace rectilin::paper::figures {
 namespace {
 
 /// Precision-recall curves of all rows of Tables 4 and 5.
@@ -12,19 +12,19 @@ ExperimentResult precision_recall(const tables::ScoredTable& table) {
   result.errors = table.errors;
   std::vector<std::string> columns{"recall"};
   for (const auto& row : table.rows) columns.push_back(row.row.label);
-  Csv data(columns);
+  report::Csv data(columns);
   for (std::size_t j = 0; j < retrieval::kRecalls; ++j) {
-    std::vector<Csv::Cell> cells{static_cast<double>(j + 1) / static_cast<double>(retrieval::kRecalls)};
+    std::vector<report::Csv::Cell> cells{static_cast<double>(j + 1) / static_cast<double>(retrieval::kRecalls)};
     for (const auto& row : table.rows) cells.emplace_back(row.scores.precision[j]);
     data.row(cells);
   }
   const int half = static_cast<int>(table.rows.size()) / 2;
-  std::vector<Panel> panels;
+  std::vector<report::Panel> panels;
   int better = 0;
   for (int i = 0; i < half; ++i) {
     const auto& alone = table.rows[static_cast<std::size_t>(i)];
     const auto& with_r = table.rows[static_cast<std::size_t>(half + i)];
-    Panel panel;
+    report::Panel panel;
     panel.title = alone.row.label;
     panel.x = {.label = "recall", .lower = 0, .upper = 1, .step = 0.5};
     panel.y = {.label = "precision", .lower = 0, .upper = 1, .step = 0.5};
@@ -38,7 +38,7 @@ ExperimentResult precision_recall(const tables::ScoredTable& table) {
   result.says = "on " + table.collection + ": R improves " + std::to_string(better) + " of " + std::to_string(half) +
                 " descriptors in DCG (paper: all)";
   result.plots.push_back({"fig22", "Precision and recall of each descriptor alone and with R.",
-                          Plot("Precision and recall", std::move(data), panels, 3)});
+                          report::Plot("Precision and recall", std::move(data), panels, 3)});
   return result;
 }
 
@@ -98,4 +98,4 @@ Experiment fig22() {
                                    "models=3&size=32");
 }
 
-}  // namespace rectilin::figures
+}  // namespace rectilin::paper::figures

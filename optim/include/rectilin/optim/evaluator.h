@@ -93,6 +93,12 @@ class Evaluator {
   /// Reports a proof that no rotation has a value below `bound`.
   void raise_lower_bound(double bound);
 
+  /// Says, for whoever watches, how many parts of the domain the proof has bounded so far.
+  void note_parts_bounded(std::uint64_t parts) {
+    parts_bounded_ = parts;
+    tell();
+  }
+
   /// Is the budget spent, the time over or a stop asked for? Then an optimizer returns.
   bool exhausted() const;
   const Budget& budget() const { return budget_; }
@@ -106,6 +112,7 @@ class Evaluator {
   const Incumbent& incumbent() const { return incumbent_; }
   const std::optional<double>& lower_bound() const { return lower_; }
   const Costs& costs() const { return costs_; }
+  std::uint64_t parts_bounded() const { return parts_bounded_; }
 
   /// One point for every improvement of the incumbent or of the bound, and one for the first evaluation.
   const std::vector<TracePoint>& trace() const { return trace_; }
@@ -124,6 +131,7 @@ class Evaluator {
   std::stop_token stop_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Costs costs_;
+  std::uint64_t parts_bounded_ = 0;
   Incumbent incumbent_;
   std::optional<double> lower_;
   std::vector<TracePoint> trace_;

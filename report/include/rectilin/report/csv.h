@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace rectilin {
+namespace rectilin::report {
 
 class Csv {
  public:
@@ -36,4 +36,4 @@ class Csv {
   std::string text_;
 };
 
-}  // namespace rectilin
+}  // namespace rectilin::report

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rectilin::html {
+namespace rectilin::report::html {
 
 /// Text as HTML or SVG shows it, in one line: printable (see printable()), with entities for what has a meaning.
 std::string escape(std::string_view text);
@@ -39,4 +39,4 @@ std::string side_by_side(const std::string& html);
 /// The whole page with its style, which is all inside.
 std::string page(const std::string& title, const std::string& body);
 
-}  // namespace rectilin::html
+}  // namespace rectilin::report::html

@@ -9,7 +9,7 @@
 
 #include "rectilin/report/csv.h"
 
-namespace rectilin {
+namespace rectilin::report {
 
 /// How curves are told apart: colours that people with any colour vision tell apart (Okabe and Ito 2008), and
 /// beyond the eighth the dashes as well.
@@ -113,4 +113,4 @@ struct PictureTroubles {
 /// The same for many at once.
 PictureTroubles draw_all(const std::filesystem::path& folder, const std::vector<std::string>& names);
 
-}  // namespace rectilin
+}  // namespace rectilin::report

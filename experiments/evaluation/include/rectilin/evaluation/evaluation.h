@@ -84,6 +84,6 @@ struct Evaluation {
 /// of the classification or of those that are left. Returns lines about pictures that could not be drawn in `troubles`.
 /// Throws ParameterError or std::runtime_error for a plan that cannot be carried out.
 Evaluation run_evaluation(const EvaluationPlan& plan, const std::filesystem::path& out,
-                          const EvaluationSettings& settings, PictureTroubles& troubles);
+                          const EvaluationSettings& settings, report::PictureTroubles& troubles);
 
 }  // namespace rectilin::evaluation

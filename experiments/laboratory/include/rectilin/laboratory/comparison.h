@@ -13,7 +13,7 @@
 #include "rectilin/measure/area_vectors.h"
 #include "rectilin/optim/objective.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 
 /// Progress of a comparison.
 struct ComparisonProgress {
@@ -62,4 +62,4 @@ struct ComparisonOutcome {
 ComparisonOutcome run_comparison(const Plan& plan, const std::filesystem::path& folder, const Registry& registry,
                                  const ComparisonSettings& settings = {});
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

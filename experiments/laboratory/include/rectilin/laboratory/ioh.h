@@ -5,7 +5,7 @@
 
 #include "rectilin/laboratory/results.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 
 /// Writes a folder for each entry that has runs, with
 /// - IOHprofiler_f{ID}_{MESH}.json: algorithm, function (the mesh; ID is its place in the plan, from 1), and for each
@@ -16,4 +16,4 @@ namespace rectilin {
 /// Throws std::runtime_error if that cannot be written.
 void export_ioh(const Results& results, const std::filesystem::path& folder);
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

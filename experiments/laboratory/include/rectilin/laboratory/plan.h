@@ -8,7 +8,7 @@
 
 #include "rectilin/optim/registry.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 
 /// One competitor: an optimizer on a domain.
 struct Entry {
@@ -70,4 +70,4 @@ struct Instance {
 };
 Instance instance(std::uint64_t seed, std::string_view mesh, int run);
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

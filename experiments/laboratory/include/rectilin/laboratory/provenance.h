@@ -6,7 +6,7 @@
 
 #include "rectilin/laboratory/plan.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 
 /// Versions of the program and the libraries it was built with, the compiler, the processor, the threads in use,
 /// the date (UTC) and the command line.
@@ -17,4 +17,4 @@ Json provenance(const std::string& command_line);
 void record_start(const Plan& plan, const Registry& registry, const std::filesystem::path& folder,
                   const std::string& command_line);
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

@@ -9,7 +9,7 @@
 #include "rectilin/base/rotation.h"
 #include "rectilin/laboratory/plan.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 
 /// Unit of a run's cost.
 enum class Cost { kEvaluations, kSeconds };
@@ -84,4 +84,4 @@ std::vector<std::string> titles(const std::vector<std::string>& sources);
 /// are to that, and may be too small. Throws std::runtime_error if the folder holds no comparison.
 Results load_results(const std::filesystem::path& folder);
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

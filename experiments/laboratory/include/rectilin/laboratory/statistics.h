@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace rectilin {
+namespace rectilin::laboratory {
 
 /// The p-quantile, 0 <= p <= 1, interpolated linearly between order statistics (type 7 of Hyndman and Fan
 /// 1996). The sample must not be empty.
@@ -48,4 +48,4 @@ RankSum rank_sum(std::span<const double> a, std::span<const double> b);
 /// (Holm 1979), in the order given.
 std::vector<double> holm(std::span<const double> p);
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

@@ -10,7 +10,7 @@
 #include "rectilin/laboratory/comparison.h"
 #include "rectilin/measure/measure.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 
 struct SuiteProblem {
   std::string name;       ///< also of its file
@@ -60,4 +60,4 @@ void export_suite(const Suite& suite, const std::filesystem::path& folder, doubl
 std::size_t add_foreign_runs(const std::filesystem::path& folder, std::string_view text, const std::string& name,
                              const std::function<ComparedMesh(const std::string& mesh)>& load = load_compared_mesh);
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

@@ -6,7 +6,7 @@
 #include "rectilin/laboratory/results.h"
 #include "rectilin/laboratory/statistics.h"
 
-namespace rectilin {
+namespace rectilin::laboratory {
 
 /// Gaps that runs are asked to reach: 10^-0.5, 10^-1, ... 10^-9.
 const std::vector<double>& targets();
@@ -66,4 +66,4 @@ Summary summarise(const Results& results);
 /// All numbers; those that do not exist (an expected running time without a success) are null.
 Json to_json(const Summary& summary, const Results& results);
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

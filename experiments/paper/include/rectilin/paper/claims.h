@@ -15,7 +15,7 @@
 #include "rectilin/base/rotation.h"
 #include "rectilin/mesh/mesh.h"
 
-namespace rectilin {
+namespace rectilin::paper {
 
 /// An entry of papers/claims.json, which is compiled into the library.
 struct Claim {
@@ -31,7 +31,7 @@ struct Claim {
 };
 
 /// All claims, in the ledger's order. Thread safe.
-const std::vector<Claim>& claims();
+const std::vector<Claim>& all_claims();
 
 /// The ledger as a table in Markdown: what papers/claims.md holds.
 std::string claims_markdown();
@@ -93,4 +93,4 @@ Validation validate(const std::vector<std::string>& sources, const ValidationSet
 /// The built-in shapes that stand in where no mesh is given.
 const std::vector<std::string>& validation_shapes();
 
-}  // namespace rectilin
+}  // namespace rectilin::paper

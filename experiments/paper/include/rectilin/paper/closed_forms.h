@@ -4,7 +4,7 @@
 
 #include "rectilin/mesh/mesh.h"
 
-namespace rectilin {
+namespace rectilin::paper {
 
 /// A square pyramid (shape:pyramid). Proved to be no more than R; equal to it wherever it has been
 /// certified.
@@ -28,4 +28,4 @@ double ellipsoid_area(double a, double b, double c);
 Mesh tilted_top_cube(double tilt);
 double tilted_top_rectilinearity(double tilt);
 
-}  // namespace rectilin
+}  // namespace rectilin::paper

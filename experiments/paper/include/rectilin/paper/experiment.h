@@ -12,7 +12,7 @@
 #include "rectilin/base/factory.h"
 #include "rectilin/report/plot.h"
 
-namespace rectilin {
+namespace rectilin::paper {
 
 /// What an experiment is run with besides its own settings.
 struct ExperimentContext {
@@ -29,7 +29,7 @@ struct ExperimentContext {
 /// A picture that is made at once: NAME.svg, with NAME.csv.
 struct Sheet {
   std::string name, caption;
-  Csv data;
+  report::Csv data;
   std::string svg;
   int width;  ///< natural, in pixels
 };
@@ -37,11 +37,11 @@ struct Sheet {
 /// What came out. It depends on settings, meshes and seed alone, but for times where times are the
 /// subject.
 struct ExperimentResult {
-  std::string says;                      ///< one line: the outcome beside what the paper reports
-  Json data = Json::array();             ///< every number measured, for the JSON file
-  std::vector<NamedPlot> plots = {};     ///< the names begin with the experiment's
-  std::vector<Sheet> sheets = {};        ///< theirs, too
-  std::vector<std::string> errors = {};  ///< a line for each mesh that could not be measured
+  std::string says;                           ///< one line: the outcome beside what the paper reports
+  Json data = Json::array();                  ///< every number measured, for the JSON file
+  std::vector<report::NamedPlot> plots = {};  ///< the names begin with the experiment's
+  std::vector<Sheet> sheets = {};             ///< theirs, too
+  std::vector<std::string> errors = {};       ///< a line for each mesh that could not be measured
 };
 
 /// `make` runs it: throws ParameterError for settings it does not accept, Stopped if the context's token stops it.
@@ -61,14 +61,14 @@ const Experiment& find_experiment(const std::string& name);
 struct ExperimentOutcome {
   std::string says;                      ///< see ExperimentResult
   std::vector<std::string> mesh_errors;  ///< a line for each mesh that could not be measured
-  PictureTroubles pictures;              ///< what could not be drawn
+  report::PictureTroubles pictures;      ///< what could not be drawn
 };
 
-/// Runs an experiment and writes into `folder`, which is made if need be: NAME.json (settings, seed, meshes, provenance,
-/// `says` and all data) and for each picture its CSV, gnuplot (of curves) and SVG files. Meshes and pictures that failed
-/// are missing, with a line in the outcome; the rest is written all the same. Throws what Experiment::make() throws (then
-/// nothing is written), ParameterError for meshes given to an experiment that takes none, and std::runtime_error if the
-/// folder cannot be written.
+/// Runs an experiment and writes into `folder`, which is made if need be: NAME.json (settings, seed, meshes,
+/// provenance, `says` and all data) and for each picture its CSV, gnuplot (of curves) and SVG files. Meshes and
+/// pictures that failed are missing, with a line in the outcome; the rest is written all the same. Throws what
+/// Experiment::make() throws (then nothing is written), ParameterError for meshes given to an experiment that takes
+/// none, and std::runtime_error if the folder cannot be written.
 ExperimentOutcome run_experiment(const Experiment& experiment, const Json& settings, const ExperimentContext& context,
                                  const std::filesystem::path& folder, const std::string& command_line);
 
@@ -76,4 +76,4 @@ ExperimentOutcome run_experiment(const Experiment& experiment, const Json& setti
 /// network.
 void write_experiment_page(const std::filesystem::path& folder);
 
-}  // namespace rectilin
+}  // namespace rectilin::paper

@@ -10,7 +10,8 @@ namespace rectilin::corpus {
 /// would let two programs lock two files of one name.
 class WriterLock {
  public:
-  /// Throws std::runtime_error if another program holds it or the folder cannot be written.
+  /// Waits for two seconds at most. Throws std::runtime_error if another program holds it still, or if the folder
+  /// cannot be written.
   explicit WriterLock(const std::filesystem::path& store);
   ~WriterLock();
   WriterLock(const WriterLock&) = delete;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,7 @@ class Statement {
   Statement& bind(int parameter, std::string_view text);
   Statement& bind(int parameter, double x);  ///< NaN becomes NULL
   Statement& bind(int parameter, std::int64_t x);
+  Statement& bind(int parameter, std::span<const std::uint8_t> bytes);  ///< must live as text must
   template <class Value>
   Statement& bind(int parameter, const std::optional<Value>& value) {
     return value ? bind(parameter, *value) : *this;  // a parameter not bound is NULL
@@ -37,7 +39,8 @@ class Statement {
   bool is_null(int column) const;
   std::int64_t integer(int column) const;
   double real(int column) const;
-  std::string_view text(int column) const;  ///< until the next step
+  std::string_view text(int column) const;                ///< until the next step
+  std::span<const std::uint8_t> bytes(int column) const;  ///< the same
 
  private:
   struct Finalize {
@@ -49,7 +52,11 @@ class Statement {
 
 class Database {
  public:
-  enum class Mode { kRead, kWrite };
+  enum class Mode {
+    kRead,   ///< without ever writing to the file
+    kWrite,  ///< made if it does not exist
+    kHeal,   ///< for reading; what a program that was killed left unfinished is undone first, where the file allows it
+  };
 
   /// Throws std::runtime_error, "FILE: reason", like everything here.
   Database(const std::filesystem::path& file, Mode mode);

@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# rectilin index and search from outside: databases, resuming, results, bad input.  Usage: search.sh RECTILIN
+. "$(dirname "$0")/expect.sh"
+
+expect 0 'kill|goes|Database' "$rectilin" index --help
+mkdir -p meshes/more
+for i in 1 2 3 4; do
+  "$rectilin" convert "shape:box?x=2&y=1.$i" meshes/box$i.off
+  "$rectilin" convert "shape:torus?minor=0.3$i" meshes/torus$i.stl
+  "$rectilin" convert "shape:stairs?steps=$((i + 2))" meshes/more/stairs$i.obj
+done
+d='gsmd?views=6+0.5*r'
+expect 0 'shapes.db: 12 added, 0 changed' "$rectilin" index meshes -o shapes.db -d "$d"
+expect 0 '0 added, .* 12 unchanged, 0 failed' "$rectilin" index meshes -o shapes.db -d "$d"
+
+# A member finds its like first, a mesh from outside finds itself, whatever its file and position.
+expect 0 'torus' "$rectilin" search shapes.db --like meshes/torus2.stl -n 3
+[ "$(grep -c torus out)" -eq 4 ] || fail "three tori are nearest to a torus"
+"$rectilin" convert meshes/torus2.stl turned.ply
+expect 0 '"query":"turned.ply"' "$rectilin" search shapes.db turned.ply meshes/box1.off -n 20 --json
+[ "$(wc -l <out)" -eq 2 ] || fail "a line for each query"
+python3 - out <<'P' || fail "the JSON of search"
+import json, sys
+first, second = [json.loads(line) for line in open(sys.argv[1])]
+assert set(first) == {"query", "results"}, first
+assert len(first["results"]) == 12
+assert first["results"][0]["name"] == "meshes/torus2.stl"
+assert second["results"][0] == {"name": "meshes/box1.off", "distance": 0, "rank": 1}, second["results"][0]
+for found in first, second:
+    distances = [r["distance"] for r in found["results"]]
+    assert distances == sorted(distances)
+    assert [r["rank"] for r in found["results"]] == list(range(1, 13))
+    assert all(set(r) == {"name", "distance", "rank"} for r in found["results"])
+P
+cp out all; expect 0 query "$rectilin" search shapes.db turned.ply meshes/box1.off --json -t 1
+cmp -s out all || fail "the same for one thread"
+expect 0 stairs "$rectilin" search shapes.db turned.ply --name '*stairs*'
+if grep -q 'box\|torus' out; then fail "a filter by name"; fi
+expect 0 box "$rectilin" search shapes.db turned.ply --min-r 0.99 --max-size 3
+if grep -q torus out; then fail "a filter by R"; fi
+expect 0 turned "$rectilin" search shapes.db turned.ply -n 4 --page found.html
+[ "$(grep -o 'data:image/png' found.html | wc -l)" -eq 5 ] || fail "five pictures on the page"
+
+# Killed at any moment, the same command ends the same.
+for wait in 0.05 0.2 0.5; do
+  "$rectilin" index meshes -o killed.db -d "$d" >/dev/null 2>&1 & pid=$!
+  sleep $wait; kill -9 $pid 2>/dev/null; wait $pid 2>/dev/null
+done
+expect 0 'unchanged' "$rectilin" index meshes -o killed.db -d "$d"
+expect 0 query "$rectilin" search killed.db turned.ply meshes/box1.off --json
+cmp -s out all || fail "the same results after kill -9"
+
+# Bad input.
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n' >meshes/bad.off
+expect 1 'bad.off:line' "$rectilin" index meshes -o shapes.db -d "$d"
+expect 1 'bad.off:line' "$rectilin" search shapes.db meshes/bad.off
+expect 1 "no member 'meshes/bad.off' with a signature" "$rectilin" search shapes.db --like meshes/bad.off
+expect 1 "no member 'nobody'" "$rectilin" search shapes.db --like nobody
+expect 1 'nowhere.db' "$rectilin" search nowhere.db turned.ply
+[ -e nowhere.db ] && fail "a database was made by searching"
+expect 1 'turned.ply: ' "$rectilin" search turned.ply turned.ply
+expect 2 "holds signatures of" "$rectilin" index meshes -o shapes.db -d r
+expect 2 "no descriptor 'gsmt'" "$rectilin" index meshes -o new.db -d gsmt
+[ -e new.db ] && fail "a database of no descriptor was made"
+expect 2 'nothing to search for' "$rectilin" search shapes.db
+head -c 20000 shapes.db >cut.db
+expect 1 'cut.db: ' "$rectilin" search cut.db turned.ply
+expect 1 'cut.db: ' "$rectilin" index meshes -o cut.db -d "$d"
+
+finish search
