@@ -70,7 +70,7 @@ int compare(CompareOptions options, const std::string& command_line) {
     LoadedMesh loaded;  // read once: it may come through a pipe
     settings.load = [&](const std::string& name) {
       loaded = load_mesh(name);
-      return compared_mesh(loaded);
+      return laboratory::compared_mesh(loaded);
     };
     settings.objective = [&](const std::string& name) -> std::shared_ptr<const Objective> {
       return std::make_shared<pose::SummedSilhouette>(loaded.mesh, kSilhouetteWidth, name);

@@ -46,7 +46,7 @@ bool has_mesh(const paper::Finding& finding) {
   return finding.mesh || finding.where.starts_with("shape:") || std::filesystem::exists(finding.where);
 }
 
-Json to_json(const ClaimResult& result, const std::string& mesh, const std::vector<std::string>& losses) {
+Json to_json(const paper::ClaimResult& result, const std::string& mesh, const std::vector<std::string>& losses) {
   Json json = {{"claim", result.claim->id},
                {"source", result.claim->source},
                {"expected", result.claim->should_hold ? "holds" : "fails"},
@@ -152,6 +152,11 @@ void add_validate_command(CLI::App& app, int& status) {
   command->add_option("-s,--seed", options->settings.seed, "Seed of the random rotations and runs")
       ->check(seed())
       ->capture_default_str();
+  command->add_option("--collection", options->settings.collection,
+                      "Folder of models, for the claims about retrieval; they are untested without");
+  command->add_option("--classes", options->settings.classes,
+                      "Their classification, a .cla file of the Princeton Shape Benchmark");
+  command->add_option("--cache", options->settings.cache, "Folder in which their signatures are kept from run to run");
   command
       ->add_option("-O,--out", options->out,
                    "Folder for counterexamples (a mesh and a rotation), made if there are any")
@@ -168,7 +173,8 @@ void add_validate_command(CLI::App& app, int& status) {
       "failed, or a mesh could not be read.\n"
       "Examples: rectilin validate\n"
       "          rectilin validate --claims eq-28,eq-28-zone meshes/ --out wrong\n"
-      "          rectilin validate --json chair.off");
+      "          rectilin validate --json chair.off\n"
+      "          rectilin validate -c r-improves --collection psb/ --classes train.cla --cache features");
   command->callback([options, &status] { status = run_validation(*options); });
 }
 

@@ -195,7 +195,7 @@ Comparison compare(py::handle problems, py::handle optimizers, py::object runs, 
   settings.stop = interrupt.token();
   settings.command_line = "rectilin.compare() in Python";
   settings.report = true;
-  settings.on_progress = [&](const ComparisonProgress& state) {
+  settings.on_progress = [&](const laboratory::ComparisonProgress& state) {
     const std::lock_guard lock(mutex);
     now = state;
   };

@@ -155,6 +155,9 @@ struct Margins {
   int left, bottom, right = 95, top = 42;
 };
 
+/// Of a map with more rows one end is out of sight, so the columns have their names at both.
+constexpr std::size_t kTallMap = 30;
+
 Margins margins(const HeatMap& map) {
   const auto longest = [](const std::vector<std::string>& names) {
     std::size_t length = 1;
@@ -162,7 +165,10 @@ Margins margins(const HeatMap& map) {
     return static_cast<int>(length);
   };
   // The names of rows are left of the map; those of columns are below it, slanted to the left.
-  return {std::max(8 * longest(map.rows) + 20, 6 * longest(map.columns) - 20), 5 * longest(map.columns) + 30};
+  const int leaning = 5 * longest(map.columns) + 30;
+  Margins margin{std::max(8 * longest(map.rows) + 20, 6 * longest(map.columns) - 20), leaning};
+  if (map.rows.size() > kTallMap) margin.top += leaning;
+  return margin;
 }
 
 Plot::Size size_of(const HeatMap& map) {
@@ -186,11 +192,15 @@ std::string heat_map(const HeatMap& map, Plot::Size size) {
        << 1 - static_cast<double>(margin.bottom + margin.top) / size.height << "\n"
        << "set cblabel " << gnuplot_string(map.scale) << " noenhanced\nset border lc rgb '#808080'\n"
        << "set xrange [-0.5:" << static_cast<double>(map.columns.size()) - 0.5 << "]\nset yrange ["
-       << static_cast<double>(map.rows.size()) - 0.5
-       << ":-0.5]\nset tics scale 0 textcolor rgb 'black' noenhanced\nset xtics rotate by 40 right (";
+       << static_cast<double>(map.rows.size()) - 0.5 << ":-0.5]\nset tics scale 0 textcolor rgb 'black' noenhanced\n";
+  std::string names;
   for (std::size_t i = 0; i < map.columns.size(); ++i)
-    text << (i > 0 ? ", " : "") << tic_string(shortened(map.columns[i], kRowName)) << ' ' << i;
-  text << ")\nset ytics (";
+    names += (i > 0 ? ", " : "") + tic_string(shortened(map.columns[i], kRowName)) + ' ' + std::to_string(i);
+  text << "set xtics rotate by 40 right (" << names << ")\n";
+  if (map.rows.size() > kTallMap)
+    text << "set x2range [-0.5:" << static_cast<double>(map.columns.size()) - 0.5 << "]\nset x2tics rotate by 40 left ("
+         << names << ")\n";
+  text << "set ytics (";
   for (std::size_t i = 0; i < map.rows.size(); ++i)
     text << (i > 0 ? ", " : "") << tic_string(shortened(map.rows[i], kRowName)) << ' ' << i;
   text << ")\n";
@@ -202,13 +212,14 @@ std::string heat_map(const HeatMap& map, Plot::Size size) {
   if (std::isfinite(least)) text << "set cbrange [" << least << ':' << largest << "]\n";
   const std::size_t n = map.columns.size();
   const double middle = least + 0.6 * (largest - least);
+  const char* const format = largest - least < 2 ? "'%.2f'" : "'%.1f'";
   text << "cell(c) = valid(c) ? column(c) : NaN\n"
        << "plot for [c=2:" << n + 1 << "] " << kData << " skip 1 using (c-2):0:(0.49):(0.49):(cell(c)) with boxxyerror "
        << "fs solid noborder lc palette, \\\n"
-       << "     for [c=2:" << n + 1 << "] '' skip 1 using (c-2):0:(cell(c) < " << middle
-       << " ? sprintf('%.1f', cell(c)) : '') with labels tc rgb 'black', \\\n"
-       << "     for [c=2:" << n + 1 << "] '' skip 1 using (c-2):0:(cell(c) >= " << middle
-       << " ? sprintf('%.1f', cell(c)) : '') with labels tc rgb 'white'\n";
+       << "     for [c=2:" << n + 1 << "] '' skip 1 using (c-2):0:(cell(c) < " << middle << " ? sprintf(" << format
+       << ", cell(c)) : '') with labels tc rgb 'black', \\\n"
+       << "     for [c=2:" << n + 1 << "] '' skip 1 using (c-2):0:(cell(c) >= " << middle << " ? sprintf(" << format
+       << ", cell(c)) : '') with labels tc rgb 'white'\n";
   return text.str();
 }
 

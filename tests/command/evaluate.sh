@@ -54,6 +54,22 @@ for file in scored/features/*.jsonl; do truncate -s -20 "$file"; done
 expect 0 '^mine ' run
 cmp -s scored/matrices/mine.matrix first/matrices/mine.matrix || fail "the same distances after an interruption"
 
+# Stopped in between, it says so in one line, and goes on from there.
+begin "$rectilin" evaluate meshes -c all.cla -d 'gsmd?views=258&size=512' --threads 1 --out stopped
+for _ in $(seq 300); do grep -q signature stopped/features/*.jsonl 2>/dev/null && break; sleep 0.1; done
+kill -INT $pid; wait $pid
+[ $? -eq 1 ] && grep -q 'the same command goes on from here' err || fail "interrupted"
+kept=$(cat stopped/features/*.jsonl | wc -l)
+[ ! -e stopped/index.html ] || fail "a page of an evaluation that was stopped"
+expect 0 '^gsmd' "$rectilin" evaluate meshes -c all.cla -d 'gsmd?views=258&size=512' --out stopped
+[ "$(cat stopped/features/*.jsonl | wc -l)" -eq 10 ] && [ "$kept" -ge 2 ] || fail "what was computed is kept"
+
+# No room on the disk: one line and a status; with room again nothing is lost.
+(ulimit -f 3; trap '' XFSZ; "$rectilin" evaluate meshes -c all.cla -d d2 --out full >out 2>err)
+[ $? -eq 1 ] && [ "$(wc -l <err)" -eq 1 ] && grep -q 'full/features' err || fail "a full disk"
+expect 0 '^d2' "$rectilin" evaluate meshes -c all.cla -d d2 --out full
+cmp -s full/matrices/d2.matrix first/matrices/d2.matrix || fail "the same distances after a full disk"
+
 # Matrices of others, of all ten models or of the nine.
 head -c 400 /dev/zero >ten.matrix
 expect 0 '^ten ' run --matrix ten.matrix --matrix again=first/matrices/d2.matrix
@@ -70,6 +86,8 @@ into=broken expect 1 'm2\.off' run
 [ "$(paste -sd, broken/matrices/d2.models)" = 0,1,3,4,5,6,7,8 ] || fail "the mesh that fails is in no matrix"
 printf 'PSB 1\n1 2\na 0 1\n0\n' >counts.cla
 expect 1 'counts.cla:line' "$rectilin" evaluate meshes -c counts.cla -d d2 --out x
+printf 'PSB 1\n2 2\na 0 1\n0\nb 0 1\n0\n' >twice.cla
+expect 1 "twice.cla:line 6: model '0' is there twice" "$rectilin" evaluate meshes -c twice.cla -d d2 --out x
 expect 1 'nowhere.cla: no such file or directory' "$rectilin" evaluate meshes -c nowhere.cla -d d2 --out x
 expect 2 "no descriptor 'gsmt'" "$rectilin" evaluate meshes -c all.cla -d gsmt --out x
 expect 2 'twice' "$rectilin" evaluate meshes -c all.cla -d d2,d2 --out x

@@ -9,7 +9,7 @@ expect 2 "no claim 'fermat'" "$rectilin" validate --claims fermat
 # Everything, on the built-in shapes: what should hold does, and the status says so.
 expect 0 '^claim' "$rectilin" validate
 claims=$("$rectilin" validate --list | grep -c '^[a-z]')
-[ "$(grep -cE 'holds +(holds|fails)|fails +(holds|fails)' out)" -eq "$claims" ] || fail "a row for each claim"
+[ "$(grep -cE 'holds +(holds|fails|untested)|fails +(holds|fails)' out)" -eq "$claims" ] || fail "a row for each claim"
 [ -s err ] && fail "nothing on standard error"
 for claim in eq-28-cubes eq-28-turned; do
   grep -qE "^$claim +fails +fails" out || fail "$claim fails, as expected"
@@ -39,5 +39,19 @@ expect 1 'no mesh file' "$rectilin" validate empty
 run() { "$rectilin" validate --json --claims eq-28-turned,theorem-3-4,stable-150 shape:pyramid shape:torus "$@" | md5sum; }
 one=$(run --threads 1)
 [ "$one" = "$(run --threads 3)" ] && [ "$one" != "$(run --seed 2)" ] || fail "threads and seeds"
+
+# Claims about retrieval need models with classes; without they are untested, which is no failure.
+mkdir meshes; i=0
+for shape in 'box?x=2&y=1' 'box?x=2.2&y=1' 'box?x=2&y=1.2' 'torus' 'torus?minor=0.35' 'torus?minor=0.45'; do
+  "$rectilin" convert "shape:$shape" meshes/m$i.off || fail "convert $shape"; i=$((i + 1))
+done
+printf 'PSB 1\n2 6\nboxes 0 3\n0\n1\n2\ntori 0 3\n3\n4\n5\n' >all.cla
+expect 0 '^r-improves +holds +untested' "$rectilin" validate --claims r-improves
+expect 0 '^r-improves +holds +holds .* 6 +0 ' \
+  "$rectilin" validate --claims r-improves --collection meshes --classes all.cla --cache signatures
+[ -s signatures/r-*.jsonl ] || fail "signatures are kept"
+expect 2 'needed together' "$rectilin" validate --claims r-improves --collection meshes
+expect 1 'nowhere.cla: cannot be read' \
+  "$rectilin" validate --claims r-improves --collection meshes --classes nowhere.cla
 
 finish validate

@@ -39,7 +39,8 @@ TEST_CASE("every claim has a test, a file with it, and a name of its own", "[cla
   for (const auto& test : claims::claim_tests()) {
     INFO(test.claim);
     REQUIRE(ids.contains(std::string(test.claim)));
-    REQUIRE((test.on_mesh || test.on_shapes));
+    REQUIRE((test.on_mesh || test.on_shapes || test.on_collection));
+    REQUIRE((test.on_collection != nullptr) == (test.rows != nullptr));
   }
 }
 

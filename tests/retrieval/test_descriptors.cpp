@@ -60,7 +60,7 @@ TEST_CASE("Every descriptor has its length, is zero for equal models and symmetr
 TEST_CASE("A model in another rotation, scale and position finds itself first") {
   const std::vector<Mesh> meshes = zoo();
   Random random(4);
-  for (const char* name : {"d1", "d2", "aad", "sprh", "shd", "gsmd", "lfd"}) {
+  for (const char* name : {"d1", "d2", "aad", "sprh", "shd", "gsmd", "lfd", "swc", "dla"}) {
     INFO(name);
     const DescriptorPointer descriptor = make_descriptor(small(name));
     std::vector<Signature> database;
@@ -79,8 +79,8 @@ TEST_CASE("A model in another rotation, scale and position finds itself first") 
 
 TEST_CASE("The 24 rotations of a frame are next to nothing apart") {
   const Mesh mesh = load_mesh("shape:stairs").mesh, other = load_mesh("shape:lshape").mesh;
-  for (const char* spec :
-       {"gsmd?pose=none&views=18&size=128", "gsmd?pose=none&views=6&image=silhouette&size=128", "shd?pose=none"}) {
+  for (const char* spec : {"gsmd?pose=none&views=18&size=128", "gsmd?pose=none&views=6&image=silhouette&size=128",
+                           "shd?pose=none", "swc?pose=none"}) {
     INFO(spec);
     const DescriptorPointer descriptor = make_descriptor(spec);
     const Signature base = descriptor->describe(Model(mesh));

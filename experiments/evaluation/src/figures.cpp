@@ -101,7 +101,7 @@ std::optional<report::NamedPlot> confusion_map(const Evaluation& evaluation) {
     for (const std::size_t b : shown) {
       const double share = static_cast<double>(counts[a][b]) / all;
       map.values.back().push_back(counts[a][b] > 0 ? share : std::numeric_limits<double>::quiet_NaN());
-      row.emplace_back(share);
+      row.emplace_back(map.values.back().back());
     }
     data.row(row);
   }

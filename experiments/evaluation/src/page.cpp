@@ -42,11 +42,11 @@ std::string introduction(const Evaluation& e) {
       "gain "
       "(DCG).");
   if (!e.missing.empty())
-    text += html::paragraph("<b>" + std::to_string(e.missing.size()) + " models have no mesh file:</b> " +
+    text += report::html::paragraph("<b>" + std::to_string(e.missing.size()) + " models have no mesh file:</b> " +
                             listed(e.missing) + ".");
-  if (!e.errors.empty()) text += html::paragraph("<b>Meshes that failed:</b> " + listed(e.errors) + ".");
+  if (!e.errors.empty()) text += report::html::paragraph("<b>Meshes that failed:</b> " + listed(e.errors) + ".");
   if (!e.losses.empty())
-    text += html::paragraph("<b>Meshes that are not all that their file holds:</b> " + listed(e.losses) + ".");
+    text += report::html::paragraph("<b>Meshes that are not all that their file holds:</b> " + listed(e.losses) + ".");
   if (!e.small_classes.empty())
     text += report::html::paragraph("Classes of one or two models, in no mean: " + listed(e.small_classes) + ".");
   if (!e.empty_classes.empty())

@@ -58,12 +58,12 @@ report::Csv runs_table(const Results& results) {
   return table;
 }
 
-Csv meshes_table(const Results& results) {
-  Csv table(with_rotation({"mesh", "error", "left_out", "faces", "directions", "area", "lower", "upper",
+report::Csv meshes_table(const Results& results) {
+  report::Csv table(with_rotation({"mesh", "error", "left_out", "faces", "directions", "area", "lower", "upper",
                            "certificate_evaluations", "certificate_seconds"}));
   for (const MeshResult& mesh : results.meshes) {
     const bool known = mesh.error.empty();
-    std::vector<Csv::Cell> row = {mesh.name, mesh.error, mesh.left_out};
+    std::vector<report::Csv::Cell> row = {mesh.name, mesh.error, mesh.left_out};
     for (const double x : {static_cast<double>(mesh.faces), static_cast<double>(mesh.directions), mesh.area, mesh.lower,
                            mesh.upper, mesh.evaluations, mesh.seconds})
       row.push_back(known ? x : NAN);
@@ -137,9 +137,9 @@ Json read_json(const fs::path& file) {
 
 }  // namespace
 
-PictureTroubles write_report(const fs::path& folder) { return write_report(folder, FolderLock(folder)); }
+report::PictureTroubles write_report(const fs::path& folder) { return write_report(folder, FolderLock(folder)); }
 
-PictureTroubles write_report(const fs::path& folder, const FolderLock&) {
+report::PictureTroubles write_report(const fs::path& folder, const FolderLock&) {
   const Results results = load_results(folder);
   const Summary summary = summarise(results);
   runs_table(results).write(folder / "runs.csv");

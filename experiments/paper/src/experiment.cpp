@@ -66,10 +66,10 @@ ExperimentOutcome run_experiment(const Experiment& experiment, const Json& setti
                     {"seed", context.seed},          {"gap", context.gap},
                     {"meshes", context.meshes},      {"data", result.data},
                     {"errors", result.errors},       {"left_out", context.losses->lines()},
-                    {"pictures", pictures},          {"provenance", provenance(command_line)}};
+                    {"pictures", pictures},          {"provenance", laboratory::provenance(command_line)}};
   // Names of files may be in no encoding at all: what is not UTF-8 is replaced.
   write_whole_file(folder / (experiment.name + ".json"), to_text(all, 1) + '\n');
-  return {result.says, result.errors, context.losses->lines(), draw_all(folder, names)};
+  return {result.says, result.errors, context.losses->lines(), report::draw_all(folder, names)};
 }
 
 }  // namespace rectilin::paper

@@ -40,7 +40,7 @@ std::string section(const Json& experiment, const fs::path& folder) {
   for (const Json& error : experiment.at("errors")) text += paragraph(escape(error.get<std::string>()));
   for (const Json& loss : experiment.value("left_out", Json::array()))
     text += paragraph("Not all of " + escape(loss.get<std::string>()));
-  return text + html::details("Settings, command, machine, versions",
+  return text + report::html::details("Settings, command, machine, versions",
                               "<pre>" + escape(to_text(record(experiment), 2)) + "</pre>\n" +
                                   paragraph("All numbers: " + link(name + ".json", name + ".json")));
 }

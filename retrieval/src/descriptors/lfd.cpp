@@ -85,7 +85,7 @@ class PaperLfd final : public Descriptor {
     return least_over_light_fields(a.data(), rows.data(), kRow) / (255.0 * kViewNumbers * kCameras);
   }
 
-  double typical_distance() const override { return 0.06; }
+  double typical_distance() const override { return 0.075; }
   std::size_t bytes() const override { return kViews * kRow; }
   std::string distance_in_words() const override {
     return "mean difference of a number, least of 10 x 10 light fields and 60 rotations";
@@ -149,7 +149,7 @@ class NtuLfd final : public Descriptor {
     return least_over_light_fields(rows_a.data(), rows_b.data(), kWideRow) / kLargest;
   }
 
-  double typical_distance() const override { return 0.06; }
+  double typical_distance() const override { return 0.075; }
   std::size_t bytes() const override { return kBytes; }
   std::string distance_in_words() const override {
     return "the authors' weighted L1 over 147900, least of 10 x 10 light fields and 60 rotations";

@@ -1,11 +1,13 @@
 // From names to descriptors.
 #include "descriptors/best.h"
+#include "descriptors/dla.h"
 #include "descriptors/extents.h"
 #include "descriptors/gsmd.h"
 #include "descriptors/histograms.h"
 #include "descriptors/lfd.h"
 #include "descriptors/rectilinearity.h"
 #include "descriptors/shd.h"
+#include "descriptors/swc.h"
 #include "descriptors/views.h"
 #include "descriptors/words.h"
 #include "rectilin/retrieval/descriptor.h"
@@ -24,6 +26,8 @@ const DescriptorFactory& descriptors() {
     add_words(f);
     add_extents(f);
     add_best(f);
+    add_swc(f);
+    add_dla(f);
     return f;
   }();
   return factory;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "features/fourier.h"
+#include "features/ntu_contour.h"
 
 namespace rectilin::retrieval {
 namespace {
@@ -35,91 +36,56 @@ std::uint8_t cut(double x, double scale) {
   return static_cast<std::uint8_t>(std::clamp(std::floor(x * scale), 0.0, 255.0));
 }
 
-void write_art(NtuView& view, std::span<const Pixel> pixels, const Middle& middle, double radius) {
-  std::array<std::complex<double>, kAngular * kRadial> sums{};
-  for (const Pixel& p : pixels) {
-    const double x = p.x - middle.x, y = p.y - middle.y, distance = std::hypot(x, y);
-    const double rho = radius > 0 ? distance / radius : 0;
-    const std::complex<double> unit = distance > 0 ? std::complex<double>(x, y) / distance : 1;
-    const double wave = std::cos(std::numbers::pi * rho), radial[kRadial] = {1, wave, 2 * wave * wave - 1};
-    std::complex<double> turn = 1;
-    for (std::size_t a = 0; a < kAngular; ++a) {
-      for (std::size_t r = 0; r < kRadial; ++r) sums[a * kRadial + r] += radial[r] * turn;
-      turn = {turn.real() * unit.real() - turn.imag() * unit.imag(),
-              turn.real() * unit.imag() + turn.imag() * unit.real()};
-    }
-  }
-  for (std::size_t k = 1; k < sums.size(); ++k) view.art[k - 1] = cut(std::abs(sums[k]) / std::abs(sums[0]), 256);
-}
+/// The transform's functions at the points of a square grid, from which the program takes those between by bilinear
+/// interpolation. That shows in the bytes: functions are 0 from the radius on, and at the centre, where they have no
+/// direction, those of every p are 1.
+class ArtTable {
+ public:
+  static constexpr int kRadius = 50, kSide = 2 * kRadius + 2;  // a last row and column of zeros
+  static constexpr std::size_t kFunctions = static_cast<std::size_t>(kAngular) * kRadial;
+  using Values = std::array<std::complex<double>, kFunctions>;
 
-bool in_one_part(const Mask& mask, std::size_t covered) {
-  // The largest part's outline starts at its first pixel; fill from there.
-  const std::vector<Pixel> outline = outer_contour(mask);
-  std::vector<std::uint8_t> seen(mask.pixels.size());
-  std::vector<Pixel> stack{outline.front()};
-  seen[mask.at(stack[0].x, stack[0].y)] = 1;
-  std::size_t count = 0;
-  while (!stack.empty()) {
-    const Pixel p = stack.back();
-    stack.pop_back();
-    ++count;
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx) {
-        const int x = p.x + dx, y = p.y + dy;
-        if (!mask.covered(x, y) || seen[mask.at(x, y)] != 0) continue;
-        seen[mask.at(x, y)] = 1;
-        stack.push_back({x, y});
+  ArtTable() : values_(static_cast<std::size_t>(kSide) * kSide) {
+    for (int y = -kRadius; y <= kRadius; ++y)
+      for (int x = -kRadius; x <= kRadius; ++x) {
+        const double distance = std::hypot(x, y);
+        if (distance >= kRadius) continue;
+        const double angle = std::atan2(y, x);
+        for (int p = 0; p < kAngular; ++p)
+          for (int r = 0; r < kRadial; ++r)
+            values_[at(x + kRadius, y + kRadius)][static_cast<std::size_t>(p * kRadial + r)] =
+                std::cos(std::numbers::pi * distance / kRadius * r) * std::polar(1.0, p * angle);
       }
   }
-  return count == covered;
-}
+  static std::size_t at(int x, int y) { return static_cast<std::size_t>(y * kSide + x); }
+  const Values& operator[](std::size_t i) const { return values_[i]; }
+  std::size_t size() const { return values_.size(); }
 
-Mask grown(const Mask& mask) {
-  Mask result(mask.size);
-  for (int y = 0; y < mask.size; ++y)
-    for (int x = 0; x < mask.size; ++x)
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx)
-          if (mask.covered(x + dx, y + dy)) result.pixels[result.at(x, y)] = 1;
-  return result;
-}
+ private:
+  std::vector<Values> values_;
+};
 
-/// Whether taking a pixel away neither parts nor joins anything: its covered neighbours, going round, are one piece
-/// (Yokoi's number for 8-connected figures is one).
-bool removable(const Mask& mask, int x, int y) {
-  constexpr std::array<Pixel, 9> kAround{
-      {{1, 0}, {1, -1}, {0, -1}, {-1, -1}, {-1, 0}, {-1, 1}, {0, 1}, {1, 1}, {1, 0}}};
-  const auto open = [&](std::size_t k) { return mask.covered(x + kAround[k].x, y + kAround[k].y) ? 0 : 1; };
-  int number = 0;
-  for (std::size_t k = 0; k < 8; k += 2) number += open(k) - open(k) * open(k + 1) * open(k + 2 < 8 ? k + 2 : 8);
-  return number == 1;
-}
-
-/// The silhouette in one part.
-Mask joined(const Mask& mask, std::size_t covered) {
-  Mask result = mask;
-  std::size_t count = covered;
-  int steps = 0;
-  while (!in_one_part(result, count)) {
-    result = grown(result);
-    count = static_cast<std::size_t>(std::ranges::count(result.pixels, 1));
-    ++steps;
+void write_art(NtuView& view, std::span<const Pixel> pixels, const Middle& middle, double radius) {
+  static const ArtTable table;
+  // How much of each grid point all pixels together ask for.
+  std::vector<double> weights(table.size());
+  const double scale = radius > 0 ? ArtTable::kRadius / radius : 0;
+  for (const Pixel& p : pixels) {
+    const double x = (p.x - middle.x) * scale + ArtTable::kRadius, y = (p.y - middle.y) * scale + ArtTable::kRadius;
+    const int column = std::min(static_cast<int>(x), ArtTable::kSide - 2);
+    const int line = std::min(static_cast<int>(y), ArtTable::kSide - 2);
+    const double right = x - column, below = y - line;
+    weights[ArtTable::at(column, line)] += (1 - right) * (1 - below);
+    weights[ArtTable::at(column + 1, line)] += right * (1 - below);
+    weights[ArtTable::at(column, line + 1)] += (1 - right) * below;
+    weights[ArtTable::at(column + 1, line + 1)] += right * below;
   }
-  if (steps == 0) return result;
-  for (bool changed = true; changed;) {  // from each side in turn, so that what stays lies in the middle
-    changed = false;
-    for (const Pixel side : {Pixel{0, -1}, Pixel{0, 1}, Pixel{-1, 0}, Pixel{1, 0}}) {
-      const Mask before = result;
-      for (int y = 0; y < mask.size; ++y)
-        for (int x = 0; x < mask.size; ++x) {
-          if (!result.covered(x, y) || mask.covered(x, y) || before.covered(x + side.x, y + side.y)) continue;
-          if (!removable(result, x, y)) continue;
-          result.pixels[result.at(x, y)] = 0;
-          changed = true;
-        }
-    }
-  }
-  return result;
+  ArtTable::Values sums{};
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (weights[i] > 0)
+      for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += weights[i] * table[i][k];
+  const double first = std::abs(sums[0]);
+  for (std::size_t k = 1; k < sums.size(); ++k) view.art[k - 1] = first > 0 ? cut(std::abs(sums[k]) / first, 256) : 0;
 }
 
 }  // namespace
@@ -138,9 +104,8 @@ std::array<NtuView, kCameras> ntu_features(std::span<const Mask, kCameras> silho
   for (std::size_t c = 0; c < kCameras; ++c) {
     if (pixels[c].empty()) continue;
     write_art(views[c], pixels[c], middles[c], radius);
-    const std::vector<Pixel> outline = outer_contour(joined(silhouettes[c], pixels[c].size()));
     const std::vector<double> fourier =
-        fourier_descriptors(centroid_distances(outline, middles[c].x, middles[c].y), kCameras);
+        fourier_descriptors(centroid_distances(ntu_contour(silhouettes[c]), middles[c].x, middles[c].y), 10);
     for (std::size_t k = 0; k < 10; ++k) views[c].fd[k] = cut(fourier[k], 512);
     double i20 = 0, i11 = 0, i02 = 0;
     for (const Pixel& p : pixels[c]) {

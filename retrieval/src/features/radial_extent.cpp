@@ -82,4 +82,27 @@ std::vector<double> radial_extent(const Mesh& mesh, int n, int pole) {
   return grid.take();
 }
 
+std::vector<double> radial_extent(const Mesh& mesh, std::span<const Vector3> directions) {
+  std::vector<double> extent(directions.size());
+  for (const Triangle& t : mesh.triangles) {
+    const Vector3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+    if (a.isZero(0) || b.isZero(0) || c.isZero(0)) continue;  // seen edge-on
+    const Vector3 bc = b.cross(c), ca = c.cross(a), ab = a.cross(b);
+    const double volume = a.dot(bc);
+    // Directions outside a cone around the triangle need no closer look; see SphereGrid::draw().
+    const Vector3 u = a.normalized(), v = b.normalized(), w = c.normalized();
+    const Vector3 axis = (u + v + w).normalized();
+    const double cosine = std::min({axis.dot(u), axis.dot(v), axis.dot(w)});
+    const double least = cosine > 0.05 ? cosine - 1e-9 : -2;
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+      const Vector3& d = directions[k];
+      if (d.dot(axis) < least) continue;
+      const double x = d.dot(bc), y = d.dot(ca), z = d.dot(ab), sum = x + y + z;
+      const bool inside = (x >= 0 && y >= 0 && z >= 0) || (x <= 0 && y <= 0 && z <= 0);
+      if (inside && sum != 0) extent[k] = std::max(extent[k], volume / sum);  // negative behind the origin
+    }
+  }
+  return extent;
+}
+
 }  // namespace rectilin::retrieval

@@ -1,4 +1,6 @@
 // The table from the ids of claims to their tests.
+#include <set>
+#include <string>
 #include <utility>
 
 #include "claims/definition.h"
@@ -7,12 +9,37 @@
 #include "claims/lemma1.h"
 #include "claims/range_of_r.h"
 #include "claims/rectilinear.h"
+#include "claims/retrieval.h"
 #include "claims/robustness.h"
 #include "claims/search_cost.h"
 #include "claims/search_domain.h"
 #include "claims/views.h"
 
 namespace rectilin::paper::claims {
+namespace {
+
+std::vector<tables::Row> only(std::vector<tables::Row> rows, const std::set<std::string>& labels) {
+  std::erase_if(rows, [&](const tables::Row& row) { return !labels.contains(row.label); });
+  return rows;
+}
+
+std::vector<tables::Row> gsmd_and_lfd() { return only(tables::table2_rows(), {"GSMD_66", "LFD"}); }
+
+std::vector<tables::Row> gsmd_of_more_views() { return only(tables::table2_rows(), {"GSMD_66", "GSMD_258"}); }
+
+std::vector<tables::Row> tables_4_and_5() {
+  std::vector<tables::Row> rows = tables::table4_rows();
+  for (tables::Row& row : tables::table5_rows()) rows.push_back(std::move(row));
+  return rows;
+}
+
+std::vector<tables::Row> tables_4_to_6() {
+  std::vector<tables::Row> rows = tables_4_and_5();
+  for (tables::Row& row : tables::table6_rows()) rows.push_back(std::move(row));
+  return rows;
+}
+
+}  // namespace
 
 const std::vector<ClaimTest>& claim_tests() {
   using S = const TestMesh&;
@@ -64,6 +91,13 @@ const std::vector<ClaimTest>& claim_tests() {
       {"eq-33-permutations", nullptr, check_permutations},
       {"storage-44", nullptr, check_storage},
       {"view-pairs-70", nullptr, check_view_pairs},
+      {"time-70", nullptr, check_times_quicker},
+      {"gsmd-beats-lfd", nullptr, nullptr, 0, check_gsmd_beats_lfd, gsmd_and_lfd},
+      {"views-saturate", nullptr, nullptr, 0, check_views_saturate, gsmd_of_more_views},
+      {"cpn-beats-pca", nullptr, nullptr, 0, check_cpn_beats_pca, tables::table3_rows},
+      {"more-matches", nullptr, nullptr, 0, check_more_matches, tables::table3_rows},
+      {"r-improves", nullptr, nullptr, 0, check_r_improves, tables_4_and_5},
+      {"best-sum", nullptr, nullptr, 0, check_best_sum, tables_4_to_6},
   };
   return tests;
 }

@@ -7,8 +7,11 @@
 #include "claims/test_mesh.h"
 #include "rectilin/base/random.h"
 #include "rectilin/paper/claims.h"
+#include "tables/retrieval_table.h"
 
 namespace rectilin::paper::claims {
+
+class TestCollection;
 
 /// How a claim is tested. Tests are pure functions of their arguments and safe to call from many threads.
 struct ClaimTest {
@@ -19,6 +22,9 @@ struct ClaimTest {
   std::vector<Finding> (*on_shapes)(Random random) = nullptr;
   /// The share of the findings that may be worse than the decisive one: 0 if the claim is about every case.
   double quantile = 0;
+  /// On a folder of models with classes; may be null. `rows` says what is to be computed for it.
+  std::vector<Finding> (*on_collection)(const TestCollection& collection) = nullptr;
+  std::vector<tables::Row> (*rows)() = nullptr;
 };
 
 const std::vector<ClaimTest>& claim_tests();

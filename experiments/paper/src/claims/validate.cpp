@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "claims/retrieval.h"
 #include "claims/tests.h"
 #include "rectilin/base/batch.h"
 #include "rectilin/base/factory.h"
@@ -83,6 +84,7 @@ class Run {
 
   Validation go() {
     test_shapes();
+    test_collection();
     test_meshes();
     validation_.losses = losses_.lines();
     validation_.complete = !settings_.stop.stop_requested();
@@ -107,6 +109,31 @@ class Run {
       }
       step(job.claim->id);
     });
+  }
+
+  /// All rows that the claims need are computed at once, each signature once.
+  void test_collection() {
+    if (settings_.collection.empty() != settings_.classes.empty())
+      throw ParameterError("a collection and its classes are needed together, or neither");
+    std::vector<tables::Row> rows;
+    for (const Job& job : jobs_) {
+      if (job.test->rows == nullptr) continue;
+      for (tables::Row& row : job.test->rows())
+        if (std::ranges::find(rows, row.label, &tables::Row::label) == rows.end()) rows.push_back(std::move(row));
+    }
+    if (settings_.collection.empty() || rows.empty() || settings_.stop.stop_requested()) return;
+    const tables::TableSettings settings{
+        .folder = settings_.collection, .classes = settings_.classes, .cache = settings_.cache, .size = settings_.size};
+    ExperimentContext context{.seed = settings_.seed, .stop = settings_.stop, .on_progress = settings_.on_progress};
+    try {
+      tables::ScoredTable table = tables::score(rows, settings, context);
+      validation_.errors.insert(validation_.errors.end(), table.errors.begin(), table.errors.end());
+      const TestCollection collection(std::move(table));
+      for (std::size_t i = 0; i < jobs_.size(); ++i)
+        if (jobs_[i].test->on_collection != nullptr)
+          for (Finding& finding : jobs_[i].test->on_collection(collection)) tallies_[i].add(std::move(finding));
+    } catch (const Stopped&) {  // they stay untested
+    }
   }
 
   void test_meshes() {

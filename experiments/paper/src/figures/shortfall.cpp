@@ -39,7 +39,7 @@ Row measured(const std::string& mesh, const ExperimentContext& context) {
   Row row;
   row.mesh = mesh;
   const ProjectedArea objective(area_vectors(context.load(mesh)));
-  const RunSettings settings = {.seed = instance(context.seed, mesh, 0).run_seed, .stop = context.stop};
+  const RunSettings settings = {.seed = laboratory::instance(context.seed, mesh, 0).run_seed, .stop = context.stop};
   row.optimum = measure(objective, {.certify = {.gap = resolution(context)}, .run = settings}).value;
   for (const Search& search : searches()) {
     MeasureOptions options = measure_options(search.optimizer, all_optimizers());

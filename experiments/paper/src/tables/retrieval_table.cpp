@@ -131,6 +131,7 @@ ScoredTable score(const std::vector<Row>& rows, const TableSettings& settings, c
     kept[static_cast<std::size_t>(std::ranges::find(collection.classes.models, model) -
                                   collection.classes.models.begin())] = false;
   const retrieval::Classification classes = collection.classes.subset(kept);
+  table.class_of = classes.class_of;
   table.collection = given ? std::to_string(classes.models.size()) + " models of " + settings.classes
                            : std::to_string(classes.models.size()) + " built-in shapes";
 

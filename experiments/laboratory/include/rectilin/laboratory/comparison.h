@@ -56,7 +56,7 @@ struct ComparisonOutcome {
   std::size_t failed_runs = 0;
   std::vector<std::string> mesh_errors;  ///< one line for each mesh that could not be measured
   std::vector<std::string> losses;       ///< one line for each mesh that is not all that its file holds
-  PictureTroubles pictures;              ///< of the report
+  report::PictureTroubles pictures;              ///< of the report
 };
 
 /// Does the runs of `plan` that are not yet in `folder`, which is made if necessary and afterwards holds

@@ -15,6 +15,6 @@ namespace rectilin::laboratory {
 report::PictureTroubles write_report(const std::filesystem::path& folder);
 
 /// The same for who holds the folder already.
-PictureTroubles write_report(const std::filesystem::path& folder, const FolderLock& held);
+report::PictureTroubles write_report(const std::filesystem::path& folder, const FolderLock& held);
 
 }  // namespace rectilin

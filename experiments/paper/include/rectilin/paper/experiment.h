@@ -76,7 +76,7 @@ struct ExperimentOutcome {
   std::string says;                      ///< see ExperimentResult
   std::vector<std::string> mesh_errors;  ///< a line for each mesh that could not be measured
   std::vector<std::string> losses;       ///< a line for each mesh that is not all that its file holds
-  PictureTroubles pictures;              ///< what could not be drawn
+  report::PictureTroubles pictures;              ///< what could not be drawn
 };
 
 /// Runs an experiment and writes into `folder`, which is made if need be: NAME.json (settings, seed, meshes,
