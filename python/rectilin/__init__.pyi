@@ -49,7 +49,7 @@ class Verdict:
     lower: float
     upper: float
     leaves: int
-    directions: int
+    cuts: int
     def __bool__(self) -> bool: ...
 
 class Domain:

@@ -194,7 +194,7 @@ The names are those of the command's JSON (README), and to_dict() is that JSON.)
       .def_readonly("lower", &Verdict::lower, "Proved: R(M) is at least this.")
       .def_readonly("upper", &Verdict::upper, "Proved: R(M) is at most this.")
       .def_readonly("leaves", &Verdict::leaves, "Parts of the zone that were checked.")
-      .def_readonly("directions", &Verdict::directions, "Sums over all faces that were formed anew.")
+      .def_readonly("cuts", &Verdict::cuts, "Sums over all faces that were computed again.")
       .def("__bool__", [](const Verdict& v) { return v.accepted; })
       .def("__repr__", [](const Verdict& v) {
         return "<rectilin.Verdict: " + (v.accepted ? std::string("accepted") : "refused: " + v.reason) + ">";

@@ -5,7 +5,7 @@
 #include "support/catch.h"
 
 using namespace rectilin;
-using namespace rectilin::figures;
+using namespace rectilin::paper::figures;
 
 namespace {
 
