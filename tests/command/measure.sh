@@ -82,8 +82,8 @@ expect 2 'one mesh at a time' "$rectilin" measure --proof proof.json good.off sh
 expect 1 'unwritable' "$rectilin" measure --proof unwritable/p.json good.off
 grep -q '^good.off' out || fail 'the row of a proof that cannot be written'
 cp good.off kept.off
-expect 2 'over a mesh' "$rectilin" measure --proof good.off good.off
-expect 2 'over a mesh' "$rectilin" measure --proof folder/below/p.stl shape:box
+expect 2 'would replace a mesh' "$rectilin" measure --proof good.off good.off
+expect 2 'would replace a mesh' "$rectilin" measure --proof folder/below/p.stl shape:box
 cmp -s good.off kept.off || fail 'the mesh is as it was'
 expect 1 'budget ends' "$rectilin" measure --budget 1 good.off
 

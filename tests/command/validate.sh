@@ -51,7 +51,7 @@ expect 0 '^r-improves +holds +holds .* 6 +0 ' \
   "$rectilin" validate --claims r-improves --collection meshes --classes all.cla --cache signatures
 [ -s signatures/r-*.jsonl ] || fail "signatures are kept"
 expect 2 'needed together' "$rectilin" validate --claims r-improves --collection meshes
-expect 1 'nowhere.cla: cannot be read' \
+expect 1 'nowhere.cla: no such file or directory' \
   "$rectilin" validate --claims r-improves --collection meshes --classes nowhere.cla
 
 finish validate

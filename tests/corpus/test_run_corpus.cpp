@@ -138,7 +138,7 @@ TEST_CASE("a worker that cannot work ends the run", "[corpus]") {
   const ScratchFolder folder;
   CorpusOptions options;
   options.worker_command = {"/no/such/program"};
-  CHECK_THROWS_WITH(run(folder.path() / "store.db", prisms(2), options), Catch::Matchers::Contains("cannot work"));
+  CHECK_THROWS_WITH(run(folder.path() / "store.db", prisms(2), options), Catch::Matchers::Contains("does not start"));
 }
 
 TEST_CASE("a run killed at fifty random moments ends as one that was left alone", "[corpus]") {

@@ -118,7 +118,7 @@ def test_foreign_runs_are_on_the_page(comparison, command):
         ({"optimizer": "grid"}, "has an optimizer 'grid' of its own"),
         ({"optimizer": 5}, "'optimizer' is no text"),
         ({"run": -1}, "'run' is not a whole number"),
-        ({"evaluations": []}, "of one length"),
+        ({"evaluations": []}, "of the same length"),
         ({"evaluations": "x"}, "not a list of numbers"),
         ({"value": [1.2, 1.3], "evaluations": [1, 2]}, "'value' does not fall at element 1"),
         ({"value": [1.3, 1.2], "evaluations": [2, 2]}, "'evaluations' does not rise at element 1"),
@@ -126,7 +126,7 @@ def test_foreign_runs_are_on_the_page(comparison, command):
         ({"rotation": [[1, 0, 0], [0, 1, 0], [0, 0, 2]]}, "orthonormal"),
         ({"rotation": None}, "orthonormal"),
         ({"total_evaluations": 1}, "less than the last"),
-        ({"evaluations": [0.5], "value": [1.2]}, "whole numbers from 1"),
+        ({"evaluations": [0.5], "value": [1.2]}, "whole numbers of 1 or more"),
     ],
 )
 def test_foreign_runs_are_not_believed(comparison, changes, text):
@@ -141,7 +141,7 @@ def test_foreign_text_that_is_no_runs(comparison):
     with pytest.raises(rectilin.ParameterError, match="line 1: not a JSON object"):
         rectilin.read_traces("out", "runs.jsonl")
     pathlib.Path("runs.jsonl").write_text("\n")
-    with pytest.raises(rectilin.ParameterError, match="no run in it"):
+    with pytest.raises(rectilin.ParameterError, match="contains no runs"):
         rectilin.read_traces("out", "runs.jsonl")
     with pytest.raises(RuntimeError, match="no comparison"):
         rectilin.read_traces("nowhere", "runs.jsonl")

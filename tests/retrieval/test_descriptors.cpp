@@ -49,7 +49,7 @@ TEST_CASE("Every descriptor has its length, is zero for equal models and symmetr
         const double d = descriptor->distance(a, b);
         CHECK(d == descriptor->distance(b, a));
         CHECK(d >= 0);
-        CHECK(d <= 1);
+        if (entry.name != "best") CHECK(d <= 1);  // a sum
         if (&a == &b) CHECK(d == 0);
       }
     CHECK_FALSE(descriptor->distance_in_words().empty());

@@ -26,7 +26,8 @@ class Descriptor {
   /// The model's signature, of bytes() bytes. Throws MeshError if the model has none (no area, no extent).
   virtual Signature describe(const Model& model) const = 0;
 
-  /// From 0 (equal signatures) to 1 (as different as can be), symmetric. Both are of bytes() bytes.
+  /// From 0 (equal signatures) to 1 (as different as can be), symmetric; of sums, `best` among them, it may be more
+  /// than 1. Both signatures are of bytes() bytes.
   virtual double distance(SignatureView a, SignatureView b) const = 0;
 
   /// The distance of two models that have nothing in common, about: the mean over the training half of the Princeton
