@@ -1,5 +1,5 @@
-// An optimizer of one's own, in the company of the built-in ones: settings with their ranges, a function that searches,
-// and one line that adds it.
+// Writes an optimizer and runs it like the built-in ones. It takes a struct of settings with their ranges, a function
+// that searches, and one line that adds it.
 #include <cstdio>
 
 #include "rectilin/measure/measure.h"
