@@ -74,7 +74,7 @@ bool parse_number(std::string_view word, double& value) {
 bool parse_integer(std::string_view word, std::int64_t& value) {
   constexpr std::size_t kSafeDigits = 18;  // which fit, so that nothing has to be checked but that they are digits
   if (!word.empty() && word.size() <= kSafeDigits) {
-    std::int64_t sum = 0;
+    std::uint64_t sum = 0;
     bool digits_only = true;
     for (const char c : word) {
       const unsigned digit = static_cast<unsigned char>(c) - static_cast<unsigned>('0');
@@ -82,7 +82,7 @@ bool parse_integer(std::string_view word, std::int64_t& value) {
       sum = 10 * sum + digit;
     }
     if (digits_only) {
-      value = sum;
+      value = static_cast<std::int64_t>(sum);
       return true;
     }
   }
