@@ -121,7 +121,7 @@ PolygonSoup read_obj(std::string_view bytes, const std::string& name) {
       soup.vertices.push_back(read_vertex(text));
     } else if (keyword == "f" || keyword == "fo") {  // its name in versions before 3
       read_face(text, soup, largest);
-    } else {
+    } else if (!keyword.empty()) {  // empty: a backslash that leads nowhere
       pass_other(text, keyword, soup.report);
     }
   }
