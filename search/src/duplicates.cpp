@@ -17,6 +17,10 @@ namespace {
 constexpr double kLikeR = 0.06;        // rectilinearities of a shape and of its simplified copy differ by less
 constexpr double kLikeMoments = 0.03;  // and their shares of the second moment
 
+constexpr double kEqualR = 1e-5;        // that of copies differs by roundings and by what is not certified
+constexpr double kBlur = 2;             // distances of equal surfaces with fine detail are up to so many tolerances
+constexpr double kClearlyNearer = 0.5;  // a reflection counts if it fits so much better
+
 /// Members held together by pairs.
 class Groups {
  public:
@@ -158,10 +162,15 @@ Duplicates find_duplicates(Database& database, const DuplicateOptions& options, 
     if (a == shapes.end() || b == shapes.end()) return std::nullopt;
     const AlignedShape &first = *a->second, &second = *b->second;
     if ((first.moments() - second.moments()).lpNorm<Eigen::Infinity>() > kLikeMoments) return std::nullopt;
+    // Equal R to all digits that are certified is evidence of its own: then fine detail, which samples blur, may
+    // differ.
+    const bool like_r = std::abs(members[c.first].rectilinearity - members[c.second].rectilinearity) < kEqualR;
+    const double limit = options.tolerance * (like_r ? kBlur : 1);
     Fit fit = best_fit(first, second, false);
-    const bool mirrored = fit.distance > options.tolerance;
-    if (mirrored) fit = best_fit(first, second, true);
-    if (fit.distance > options.tolerance) return std::nullopt;
+    const Fit reflected = best_fit(first, second, true);
+    const bool mirrored = reflected.distance < kClearlyNearer * fit.distance;
+    if (mirrored) fit = reflected;
+    if (fit.distance > limit) return std::nullopt;
     const double scale = std::cbrt(std::abs(fit.linear.determinant()));
     return DuplicateEvidence{
         c.first, c.second, c.distance, fit.distance, mirrored, false, second.unit() / (first.unit() * scale)};

@@ -12,8 +12,9 @@ namespace rectilin::search {
 
 struct DuplicateOptions {
   std::size_t neighbours = 10;  ///< of each member so many are looked at more closely
-  double widest = 0.35;         ///< and of these those that are no further by the descriptor; in typical distances
-  double tolerance = 0.01;      ///< largest distance of the surfaces, root mean square, in radii of the shape
+  double widest = 0.65;         ///< and of these those that are no further by the descriptor; in typical distances
+  double tolerance = 0.015;     ///< largest distance of the surfaces, root mean square, in radii of the shape; twice
+                                ///< that if R is the same to 1e-5
 };
 
 /// How a pair was found to be one shape. The second mesh is turned, scaled and moved onto the first, and mirrored if
@@ -22,7 +23,7 @@ struct DuplicateEvidence {
   std::size_t first, second;   ///< members
   double descriptor_distance;  ///< by the database's descriptor
   double surface_distance;     ///< root mean square over both surfaces, in radii (root mean square from the centre)
-  bool mirrored;               ///< a mirror image, and not also a copy: the surfaces agree only after a reflection
+  bool mirrored;               ///< a mirror image: after a reflection the surfaces are less than half as far apart
   bool same_bytes;             ///< the files are the same
   double scale;                ///< size of the second over that of the first
 };
