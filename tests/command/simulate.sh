@@ -28,6 +28,8 @@ expect 0 '9 meshes' "$simulate" few.db --meshes 9 --nodes 1 --cores 8 --shards 1
 holds "$(column 5) == 56.2 or $(column 5) == 56.3"
 expect 0 'meshes of 1 s' "$simulate" few.db --meshes 1600 --nodes 1 --speed 2 "${calm[@]}"
 expect 0 'meshes of 0.5 s' "$simulate" few.db --meshes 1600 --nodes 1 --limit-seconds 0.5 "${calm[@]}"
+expect 0 '1600 meshes of 2 s' "$simulate" few.db --meshes 1600 --nodes 1 --cores 4 --together 10 "${calm[@]}"
+holds "abs($(column 3) - 1600 * 2 / 4 / 3600) < 0.001 and $(column 5) == 100"
 # Beyond the largest mesh, twice the size takes twice the time.
 expect 0 'meshes' "$simulate" few.db --meshes 10 --nodes 1 --faces 1e6,1e-9 --limit-seconds 1e9 --hours 1e9 "${calm[@]}"
 holds "2 * 1e6 / 800 <= $(sed -n '1s/.* of \([^ ]*\) s on.*/\1/p' out) <= 2 * 1e6 / 100"

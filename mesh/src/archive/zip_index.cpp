@@ -102,8 +102,8 @@ void ZipIndex::read_table(std::uint64_t file_size) {
     if (u32(entry, 0) != kTableEntryMark || at > table.size()) return entries_.clear();
     const std::string_view name = entry.substr(kTableEntrySize, name_size);
     const std::uint32_t method = u16(entry, 10);
-    const Entry e{zip_name_hash(name), u32(entry, 42), u32(entry, 20), u32(entry, 24), u32(entry, 16), method == 8,
-                  false};
+    const Entry e{zip_name_hash(name), u32(entry, 42), u32(entry, 20), u32(entry, 24),
+                  u32(entry, 16),      method == 8,    false};
     unpacked += e.unpacked;
     const bool sizes = e.offset != kElsewhere && e.packed != kElsewhere && e.unpacked <= Unpacker::kMaxMember &&
                        (e.deflated || e.packed == e.unpacked);
