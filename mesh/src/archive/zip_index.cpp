@@ -16,22 +16,22 @@ namespace rectilin {
 namespace {
 
 // Sizes of the fixed parts of the records, and the numbers that they begin with.
-constexpr std::size_t kEndSize = 22, kTableEntrySize = 46, kHeaderSize = 30;
+constexpr std::size_t kEndSize = 22, kTableEntrySize = 46, kMemberHeaderSize = 30;
 constexpr std::uint32_t kEndMark = 0x06054b50, kTableEntryMark = 0x02014b50, kHeaderMark = 0x04034b50;
 
 constexpr std::uint32_t kElsewhere = 0xFFFFFFFF;  // the number is in a zip64 record
 constexpr std::uint64_t kLargestTable = std::uint64_t{1} << 28;
 
 /// Flags that change nothing for us: levels of compression, sizes behind the data (the table has them), names in UTF-8.
-constexpr std::uint32_t kHarmless = 0x0806 | 0x0008;
+constexpr std::uint32_t kHarmlessFlags = 0x0806 | 0x0008;
 
 std::uint32_t zip_number(std::string_view bytes, std::size_t at, std::size_t count) {
   std::uint32_t value = 0;
   for (std::size_t i = count; i-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
   return value;
 }
-std::uint32_t u16(std::string_view bytes, std::size_t at) { return zip_number(bytes, at, 2); }
-std::uint32_t u32(std::string_view bytes, std::size_t at) { return zip_number(bytes, at, 4); }
+std::uint32_t zip_u16(std::string_view bytes, std::size_t at) { return zip_number(bytes, at, 2); }
+std::uint32_t zip_u32(std::string_view bytes, std::size_t at) { return zip_number(bytes, at, 4); }
 
 std::uint64_t zip_name_hash(std::string_view name) { return Fnv1a().add(name).value(); }
 
@@ -44,8 +44,8 @@ bool is_plain_name(std::string_view name) {
 /// Not a link or a folder, as far as systems like Unix have written what it is.
 bool is_plain_file(std::string_view table_entry) {
   constexpr std::uint32_t kUnix = 3;
-  if (u16(table_entry, 4) >> 8 != kUnix) return true;
-  const std::uint32_t type = u32(table_entry, 38) >> 16 & S_IFMT;
+  if (zip_u16(table_entry, 4) >> 8 != kUnix) return true;
+  const std::uint32_t type = zip_u32(table_entry, 38) >> 16 & S_IFMT;
   return type == 0 || type == S_IFREG;
 }
 
@@ -83,12 +83,13 @@ void ZipIndex::read_table(std::uint64_t file_size) {
   const std::string tail = bytes(begin, kEndSize + kLongestComment);
   if (tail.size() < kEndSize) return;
   std::size_t end = tail.size() - kEndSize;
-  while (u32(tail, end) != kEndMark || end + kEndSize + u16(tail, end + 20) != tail.size())
+  while (zip_u32(tail, end) != kEndMark || end + kEndSize + zip_u16(tail, end + 20) != tail.size())
     if (end-- == 0) return;
-  const std::uint32_t count = u16(tail, end + 10), table_size = u32(tail, end + 12), offset = u32(tail, end + 16);
+  const std::uint32_t count = zip_u16(tail, end + 10), table_size = zip_u32(tail, end + 12),
+                      offset = zip_u32(tail, end + 16);
   // Archives of more than 65,534 members have a further record, which repeats what still fits in this one.
   constexpr std::uint32_t kMany = 0xFFFF;
-  if (u16(tail, end + 4) != 0 || offset == kElsewhere || table_size > kLargestTable ||
+  if (zip_u16(tail, end + 4) != 0 || offset == kElsewhere || table_size > kLargestTable ||
       std::uint64_t{offset} + table_size > begin + end)
     return;
 
@@ -97,18 +98,23 @@ void ZipIndex::read_table(std::uint64_t file_size) {
   std::size_t found = 0, at = 0;
   for (; at + kTableEntrySize <= table.size(); ++found) {
     const std::string_view entry = std::string_view(table).substr(at);
-    const std::size_t name_size = u16(entry, 28);
-    at += kTableEntrySize + name_size + u16(entry, 30) + u16(entry, 32);
-    if (u32(entry, 0) != kTableEntryMark || at > table.size()) return entries_.clear();
+    const std::size_t name_size = zip_u16(entry, 28);
+    at += kTableEntrySize + name_size + zip_u16(entry, 30) + zip_u16(entry, 32);
+    if (zip_u32(entry, 0) != kTableEntryMark || at > table.size()) return entries_.clear();
     const std::string_view name = entry.substr(kTableEntrySize, name_size);
-    const std::uint32_t method = u16(entry, 10);
-    const Entry e{zip_name_hash(name), u32(entry, 42), u32(entry, 20), u32(entry, 24),
-                  u32(entry, 16),      method == 8,    false};
+    const std::uint32_t method = zip_u16(entry, 10);
+    const Entry e{zip_name_hash(name),
+                  zip_u32(entry, 42),
+                  zip_u32(entry, 20),
+                  zip_u32(entry, 24),
+                  zip_u32(entry, 16),
+                  method == 8,
+                  false};
     unpacked += e.unpacked;
     const bool sizes = e.offset != kElsewhere && e.packed != kElsewhere && e.unpacked <= Unpacker::kMaxMember &&
                        (e.deflated || e.packed == e.unpacked);
-    const bool plain = (u16(entry, 8) & ~kHarmless) == 0 && (method == 0 || method == 8) && is_plain_name(name) &&
-                       is_plain_file(entry) && u16(entry, 34) == 0;
+    const bool plain = (zip_u16(entry, 8) & ~kHarmlessFlags) == 0 && (method == 0 || method == 8) &&
+                       is_plain_name(name) && is_plain_file(entry) && zip_u16(entry, 34) == 0;
     if (sizes && plain) entries_.push_back(e);
   }
   if (at != table.size() || (found != count && count != kMany) ||
@@ -126,12 +132,13 @@ std::optional<std::string> ZipIndex::read(std::string_view member) const {
   // The member's own header has fields that the table does not give the length of; there is nearly always room for
   // them in this, so that header and data are read at once.
   constexpr std::size_t kRoom = 64;
-  std::string packed = bytes(entry->offset, kHeaderSize + member.size() + kRoom + entry->packed);
-  if (packed.size() < kHeaderSize + member.size() || u32(packed, 0) != kHeaderMark ||
-      (u16(packed, 6) & ~kHarmless) != 0 || u16(packed, 8) != (entry->deflated ? 8u : 0u) ||
-      u16(packed, 26) != member.size() || std::string_view(packed).substr(kHeaderSize, member.size()) != member)
+  std::string packed = bytes(entry->offset, kMemberHeaderSize + member.size() + kRoom + entry->packed);
+  if (packed.size() < kMemberHeaderSize + member.size() || zip_u32(packed, 0) != kHeaderMark ||
+      (zip_u16(packed, 6) & ~kHarmlessFlags) != 0 || zip_u16(packed, 8) != (entry->deflated ? 8u : 0u) ||
+      zip_u16(packed, 26) != member.size() ||
+      std::string_view(packed).substr(kMemberHeaderSize, member.size()) != member)
     return std::nullopt;
-  const std::size_t start = kHeaderSize + member.size() + u16(packed, 28), end = start + entry->packed;
+  const std::size_t start = kMemberHeaderSize + member.size() + zip_u16(packed, 28), end = start + entry->packed;
   if (packed.size() < end) packed = bytes(entry->offset, end);
   if (packed.size() < end) return std::nullopt;
 
