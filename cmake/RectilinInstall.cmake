@@ -17,4 +17,5 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/rectilin-config.cmake.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/rectilin-config-version.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/rectilin-config.cmake ${PROJECT_BINARY_DIR}/rectilin-config-version.cmake
-  ${PROJECT_SOURCE_DIR}/cmake/FindNLoptCxx.cmake ${PROJECT_SOURCE_DIR}/cmake/FindLib3MF.cmake DESTINATION ${package_dir})
+  ${PROJECT_SOURCE_DIR}/cmake/FindNLoptCxx.cmake ${PROJECT_SOURCE_DIR}/cmake/FindLib3MF.cmake
+  ${PROJECT_SOURCE_DIR}/cmake/FindLibDeflate.cmake DESTINATION ${package_dir})

@@ -5,6 +5,7 @@
 
 #include "archive/members.h"
 #include "archive/unpack.h"
+#include "archive/zip_index.h"
 #include "rectilin/mesh/source.h"
 #include "support/archives.h"
 #include "support/catch.h"
@@ -129,4 +130,55 @@ TEST_CASE("the parts of a member's name", "[archive]") {
   CHECK(parse_member("x::y.tar.gz::c::d.obj")->archive == "x::y.tar.gz");
   CHECK_FALSE(parse_member("a::b.obj"));
   CHECK_FALSE(parse_member("a.zip"));
+}
+
+TEST_CASE("the table of a zip archive", "[archive]") {
+  const ScratchFolder folder;
+  const auto file = folder.path() / "a.zip";
+  Members members;
+  for (int i = 1; i <= 40; ++i) members.emplace_back("folder/" + std::to_string(i) + ".off", fan(i * i));
+  members.emplace_back("empty.off", "");
+  write_archive(file.string(), members);
+
+  SECTION("reads what going through the archive reads") {
+    const ZipIndex index(file);
+    CHECK(index.size() == members.size());
+    Unpacker unpacker(file);
+    std::size_t seen = 0;
+    for (; unpacker.next(); ++seen) CHECK(index.read(unpacker.member()) == unpacker.read());
+    CHECK(seen == members.size());
+    CHECK_FALSE(index.read("folder/41.off"));
+    CHECK_FALSE(index.read("folder"));
+  }
+  SECTION("leaves what is not ordinary to libarchive") {
+    write_archive(file.string(), {{"\xc3\xbc.off", fan(3)}, {"same.off", fan(1)}, {"same.off", fan(2)}});
+    const ZipIndex index(file);
+    CHECK_FALSE(index.read("\xc3\xbc.off"));
+    CHECK_FALSE(index.read("same.off"));
+    CHECK(load_mesh(file.string() + "::\xc3\xbc.off").mesh.triangles.size() == 3);
+    CHECK(ZipIndex(folder.path() / "none.zip").size() == 0);
+    CHECK(ZipIndex(folder.path()).size() == 0);
+  }
+  SECTION("never gives content that was changed or is of another member") {
+    write_archive(file.string(), {{"a.off", fan(7)}, {"b.off", fan(8)}});
+    const std::string whole = text_of(file);
+    const auto other = folder.path() / "b.zip";
+    std::size_t read = 0, wrong = 0;
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      for (const int flip : {1, 0x80, 0xFF}) {
+        std::string changed = whole;
+        changed[i] = static_cast<char>(changed[i] ^ flip);
+        std::ofstream(other, std::ios::binary) << changed;
+        const ZipIndex index(other);
+        const auto a = index.read("a.off"), b = index.read("b.off");
+        read += a.has_value() + b.has_value();
+        wrong += (a && *a != fan(7)) + (b && *b != fan(8));
+      }
+      std::ofstream(other, std::ios::binary) << whole.substr(0, i);
+      const auto a = ZipIndex(other).read("a.off");
+      wrong += a && *a != fan(7);
+    }
+    CHECK(wrong == 0);
+    CHECK(read > whole.size());  // most changes are in the other member or in fields that do not matter
+  }
 }

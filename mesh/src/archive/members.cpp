@@ -1,12 +1,14 @@
 #include "archive/members.h"
 
 #include <algorithm>
+#include <cctype>
 #include <list>
 #include <memory>
 #include <mutex>
 #include <unordered_map>
 
 #include "archive/unpack.h"
+#include "archive/zip_index.h"
 #include "rectilin/base/fnv1a.h"
 #include "rectilin/mesh/mesh_io.h"
 
@@ -32,6 +34,11 @@ FileState state_of(const std::string& path) {
   return state;
 }
 
+bool is_zip_name(std::string_view file) {
+  return file.size() >= 4 && std::ranges::equal(file.substr(file.size() - 4), std::string_view(".zip"), {},
+                                                [](unsigned char c) { return std::tolower(c); });
+}
+
 std::uint64_t hash_of(std::string_view member) { return Fnv1a().add(member).value(); }
 
 /// Archives that are kept open, each standing at some member, and the places of the members seen so far.
@@ -39,6 +46,9 @@ class OpenArchives {
  public:
   std::string read(const MemberName& name) {
     const FileState file = state_of(name.archive);
+    if (is_zip_name(name.archive)) {
+      if (auto content = zip_index(file)->read(name.member)) return *std::move(content);
+    }
     std::unique_ptr<Unpacker> unpacker = take(file, name.member);
     // A second round is needed when two names have the same hash, or when the archive was open behind the member.
     for (int round = 0; round < 2; ++round) {
@@ -61,6 +71,10 @@ class OpenArchives {
   struct Open {
     FileState file;
     std::unique_ptr<Unpacker> unpacker;
+  };
+  struct Zip {
+    FileState file;
+    std::shared_ptr<const ZipIndex> index;
   };
   struct Index {
     FileState file;
@@ -110,8 +124,21 @@ class OpenArchives {
     return indices_.front();
   }
 
-  std::mutex mutex_;
-  std::list<Open> open_;      ///< most recently used first
+  std::shared_ptr<const ZipIndex> zip_index(const FileState& file) {
+    const std::lock_guard lock(zip_mutex_);  // others who want the same table wait until it has been read
+    auto found = std::ranges::find(zips_, file, &Zip::file);
+    if (found == zips_.end()) {
+      zips_.push_front({file, std::make_shared<const ZipIndex>(file.path)});
+      if (zips_.size() > kMaxIndexed) zips_.pop_back();
+      found = zips_.begin();
+    }
+    zips_.splice(zips_.begin(), zips_, found);
+    return found->index;
+  }
+
+  std::mutex mutex_, zip_mutex_;
+  std::list<Zip> zips_;       ///< most recently used first
+  std::list<Open> open_;      ///< likewise
   std::list<Index> indices_;  ///< likewise
 };
 
