@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "rectilin/base/fnv1a.h"
-#include "rectilin/base/system_reason.h"
 #include "rectilin/mesh/source.h"
 
 namespace rectilin::search {
@@ -16,6 +15,16 @@ std::string file_of(const std::string& source) {
   if (is_shape_source(source)) return {};
   return source.substr(0, source.find("::"));
 }
+
+namespace {
+
+/// load_mesh() knows why a source cannot be read, and says so.
+[[noreturn]] void fail_as_reader(const std::string& source, const std::string& file) {
+  load_mesh(source);
+  throw std::runtime_error(file + ": cannot be read");
+}
+
+}  // namespace
 
 std::string source_digest(const std::string& source) {
   std::ostringstream text;
@@ -26,7 +35,7 @@ std::string source_digest(const std::string& source) {
     return text.str();
   }
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw std::runtime_error(file + ": cannot be read");
+  if (!in) fail_as_reader(source, file);
   // FNV-1a step by step over words, since bytes one by one would take longer than reading them.
   std::uint64_t hash = 0xcbf29ce484222325u, size = 0;
   std::vector<char> block(1 << 16);
@@ -42,7 +51,7 @@ std::string source_digest(const std::string& source) {
     }
     size += count;
   }
-  if (in.bad()) throw std::runtime_error(file + ": cannot be read");
+  if (in.bad()) fail_as_reader(source, file);
   text << hash << '-' << size;
   if (file.size() < source.size()) text << '-' << Fnv1a().add(source.substr(file.size())).value();
   return text.str();
