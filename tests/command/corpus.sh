@@ -9,6 +9,8 @@ printf 'OFF\nrubbish\n' >m/bad.off
 expect 0 'all.db: 9 done \(1 of them equal to others\), 1 failed, 0 limited, 0 were there' "$rectilin" measure m -o all.db
 expect 0 'all.db: 0 done, 0 failed, 0 limited, 10 were there' "$rectilin" measure m --out all.db --threads 1
 expect 0 '1 failed.* 9 were there' "$rectilin" measure m -O all.db --retry
+mkdir looped && "$rectilin" convert shape:box looped/a.off && ln -s . looped/loop || fail 'a folder in itself'
+expect 1 'looped/loop: .*leads back' "$rectilin" measure looped -o looped.db
 expect 2 "the store holds results of 'measure' with .*\"seed\":1" "$rectilin" measure m -o all.db --seed 2
 expect 2 'need a store' "$rectilin" measure m --shard 0/2
 expect 2 'more than one optimizer' "$rectilin" measure m -o grid -o ga
