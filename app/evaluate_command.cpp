@@ -75,6 +75,8 @@ int evaluate(EvaluateOptions options, const std::string& command_line) {
   if (!result.missing.empty())
     complain("no mesh file for " + std::to_string(result.missing.size()) + " models: " + listed(result.missing));
   if (!result.empty_classes.empty()) complain("empty classes: " + listed(result.empty_classes));
+  if (!result.small_classes.empty())
+    complain("classes of one or two models, which are in no mean: " + listed(result.small_classes));
   for (const std::string& trouble : troubles.lines) complain(trouble);
   print_scores(result);
   for (const std::string& line : tuned.lines) std::cout << line << '\n';

@@ -74,6 +74,9 @@ expect 1 'bad.off:line' "$rectilin" search shapes.db meshes/bad.off
 expect 1 "no member 'meshes/bad.off' with a signature" "$rectilin" search shapes.db --like meshes/bad.off
 expect 1 "no member 'nobody'" "$rectilin" search shapes.db --like nobody
 expect 1 'nowhere.db' "$rectilin" search nowhere.db turned.ply
+mkdir links && ln -s . links/loop && ln -s nowhere links/gone.off || fail links
+expect 1 'loop: this link leads back' "$rectilin" index links -o links.db
+expect 1 'gone.off: no such file' "$rectilin" index links -o links.db
 [ -e nowhere.db ] && fail "a database was made by searching"
 expect 1 'turned.ply: ' "$rectilin" search turned.ply turned.ply
 expect 2 "holds signatures of" "$rectilin" index meshes -o shapes.db -d r

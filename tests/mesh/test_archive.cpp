@@ -156,6 +156,12 @@ TEST_CASE("the table of a zip archive", "[archive]") {
     CHECK_FALSE(index.read("\xc3\xbc.off"));
     CHECK_FALSE(index.read("same.off"));
     CHECK(load_mesh(file.string() + "::\xc3\xbc.off").mesh.triangles.size() == 3);
+    // The same where the table says that the first of the two is encrypted.
+    std::string text = text_of(file);
+    const std::size_t first = text.find("PK\x01\x02", text.find("PK\x01\x02") + 1);
+    text[first + 8] = static_cast<char>(text[first + 8] | 1);
+    std::ofstream(file, std::ios::binary) << text;
+    CHECK_FALSE(ZipIndex(file).read("same.off"));
     CHECK(ZipIndex(folder.path() / "none.zip").size() == 0);
     CHECK(ZipIndex(folder.path()).size() == 0);
   }

@@ -11,6 +11,7 @@
 #include "rectilin/search/index.h"
 #include "support/catch.h"
 #include "support/scratch_folder.h"
+#include "support/subdivided.h"
 
 using namespace rectilin;
 using namespace rectilin::search;
@@ -52,27 +53,13 @@ Mesh moved(Mesh mesh, Random& random, bool mirror = false) {
   return mesh;
 }
 
-/// Each triangle in four.
-Mesh subdivided(const Mesh& mesh) {
-  Mesh fine;
-  for (const Triangle& t : mesh.triangles) {
-    const Vector3 a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];
-    const auto k = static_cast<std::uint32_t>(fine.vertices.size());
-    for (const Vector3& v : {a, b, c, Vector3((a + b) / 2), Vector3((b + c) / 2), Vector3((c + a) / 2)})
-      fine.vertices.push_back(v);
-    for (const auto& s : {Triangle{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}})
-      fine.triangles.push_back({k + s[0], k + s[1], k + s[2]});
-  }
-  return fine;
-}
-
 }  // namespace
 
 TEST_CASE("a fit finds the way back, and a reflection only where there is one") {
   Random random(2);
   const AlignedShape first{retrieval::Model(chiral())};
   for (int i = 0; i < 3; ++i) {
-    const AlignedShape copy{retrieval::Model(moved(subdivided(chiral()), random))};
+    const AlignedShape copy{retrieval::Model(moved(test::subdivided(chiral()), random))};
     // Not zero: a foot is looked for among the triangles of the nearest samples only.
     CHECK(best_fit(first, copy, false).distance < 3e-3);
     CHECK(best_fit(first, copy, true).distance > 0.03);
@@ -100,7 +87,7 @@ TEST_CASE("groups of a folder") {
   Random random(4);
   const auto put = [&](const std::string& name, const Mesh& mesh) { write_mesh(scratch.path() / name, mesh); };
   put("a1.off", chiral());
-  put("a2.ply", moved(subdivided(chiral()), random));
+  put("a2.ply", moved(test::subdivided(chiral()), random));
   put("a3.off", moved(chiral(), random, true));
   put("b1.obj", load_mesh("shape:stairs?steps=4").mesh);
   put("b2.off", moved(load_mesh("shape:stairs?steps=4").mesh, random));

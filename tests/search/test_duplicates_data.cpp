@@ -15,6 +15,7 @@
 #include "rectilin/search/index.h"
 #include "support/catch.h"
 #include "support/scratch_folder.h"
+#include "support/subdivided.h"
 
 using namespace rectilin;
 using namespace rectilin::search;
@@ -24,22 +25,8 @@ namespace {
 
 constexpr std::size_t kModels = 300;
 
-/// Each triangle in four.
-Mesh in_four(const Mesh& mesh) {
-  Mesh fine;
-  for (const Triangle& t : mesh.triangles) {
-    const Vector3 a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];
-    const auto k = static_cast<std::uint32_t>(fine.vertices.size());
-    for (const Vector3& v : {a, b, c, Vector3((a + b) / 2), Vector3((b + c) / 2), Vector3((c + a) / 2)})
-      fine.vertices.push_back(v);
-    for (const auto& s : {Triangle{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}})
-      fine.triangles.push_back({k + s[0], k + s[1], k + s[2]});
-  }
-  return fine;
-}
-
 Mesh disguised(Mesh mesh, std::size_t number, Random& random) {
-  if (number % 4 == 1) mesh = in_four(mesh);
+  if (number % 4 == 1) mesh = test::subdivided(mesh);
   if (number % 4 == 3) mesh = simplified(mesh, mesh.triangles.size() / 2);
   const Eigen::Matrix3d turn = random_rotation(random).matrix() * std::exp(random.uniform(-3, 3));
   std::vector<std::uint32_t> number_of(mesh.vertices.size());

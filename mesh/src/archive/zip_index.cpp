@@ -115,19 +115,24 @@ void ZipIndex::read_table(std::uint64_t file_size) {
                        (e.deflated || e.packed == e.unpacked);
     const bool plain = (zip_u16(entry, 8) & ~kHarmlessFlags) == 0 && (method == 0 || method == 8) &&
                        is_plain_name(name) && is_plain_file(entry) && zip_u16(entry, 34) == 0;
-    if (sizes && plain) entries_.push_back(e);
+    entries_.push_back(e);
+    entries_.back().usable = sizes && plain;
   }
   if (at != table.size() || (found != count && count != kMany) ||
       (unpacked > Unpacker::kSmall && unpacked / Unpacker::kMaxRatio > file_size))
     return entries_.clear();
   std::ranges::sort(entries_, {}, &Entry::hash);
   for (std::size_t i = 1; i < entries_.size(); ++i)
-    if (entries_[i].hash == entries_[i - 1].hash) entries_[i].repeated = entries_[i - 1].repeated = true;
+    if (entries_[i].hash == entries_[i - 1].hash) entries_[i].usable = entries_[i - 1].usable = false;
+}
+
+std::size_t ZipIndex::size() const {
+  return static_cast<std::size_t>(std::ranges::count(entries_, true, &Entry::usable));
 }
 
 std::optional<std::string> ZipIndex::read(std::string_view member) const {
   const auto entry = std::ranges::lower_bound(entries_, zip_name_hash(member), {}, &Entry::hash);
-  if (entry == entries_.end() || entry->hash != zip_name_hash(member) || entry->repeated) return std::nullopt;
+  if (entry == entries_.end() || entry->hash != zip_name_hash(member) || !entry->usable) return std::nullopt;
 
   // The member's own header has fields that the table does not give the length of; there is nearly always room for
   // them in this, so that header and data are read at once.

@@ -26,7 +26,8 @@ class ZipIndex {
   ZipIndex(const ZipIndex&) = delete;
   ZipIndex& operator=(const ZipIndex&) = delete;
 
-  std::size_t size() const { return entries_.size(); }
+  /// Members that read() can give.
+  std::size_t size() const;
 
   /// The content of a member; nothing if it is not in the index, or if anything is not as the table says, the checksum
   /// included.
@@ -36,7 +37,7 @@ class ZipIndex {
   struct Entry {
     std::uint64_t hash;  ///< of the name
     std::uint32_t offset, packed, unpacked, checksum;
-    bool deflated, repeated;  ///< repeated: another name has the same hash
+    bool deflated, usable;  ///< usable: ordinary, and no other name has the same hash
   };
 
   void read_table(std::uint64_t file_size);
