@@ -96,7 +96,7 @@ int work_into_store(const std::vector<std::string>& sources, const corpus::Task&
   std::cout << ", " << summary.failed << " failed, " << summary.limited << " limited, " << summary.before
             << " were there before\n";
   if (summary.left > 0) complain("stopped: " + std::to_string(summary.left) + " meshes are left");
-  // Meshes that failed are rows. What is in a folder that could not be listed is in none.
+  // Meshes that failed have rows. The meshes in a folder that could not be listed have none.
   const bool folder_missed = std::ranges::any_of(meshes, [](const NamedSource& mesh) {
     std::error_code unknown;
     return std::filesystem::is_directory(mesh.source, unknown);

@@ -1,4 +1,4 @@
-// rectilin duplicates: files of a database that are one shape.
+// rectilin duplicates: finds files of a database that hold the same shape.
 #include <cmath>
 #include <iostream>
 #include <memory>

@@ -1,4 +1,4 @@
-// rectilin index and search: a collection's signatures in a file, and what in it is most like a mesh.
+// rectilin index and search: describes a collection in a database, and finds what in it is most like a mesh.
 #include <fnmatch.h>
 
 #include <cmath>
@@ -70,7 +70,7 @@ struct SearchOptions {
   int threads = 0;
 };
 
-/// A database in memory.
+/// A database read into memory.
 struct Loaded {
   explicit Loaded(search::Database& database) : search(database.descriptor()) {
     database.for_each_signature([this](search::Member&& member, search::Parts&& parts) {
@@ -85,7 +85,7 @@ struct Loaded {
 struct Query {
   std::string name, source;
   search::Parts parts;
-  std::optional<std::size_t> member;  ///< it is one itself
+  std::optional<std::size_t> member;  ///< set if the query is itself a member
 };
 
 void print_query(const Query& query, const std::vector<search::Neighbour>& found, const Loaded& loaded, bool json) {

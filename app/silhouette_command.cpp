@@ -31,13 +31,13 @@ struct SilhouetteCommand {
   int threads = 0;
 };
 
-/// What one mesh came to.
+/// The result for one mesh.
 struct Areas {
-  std::vector<render::AreaInterval> areas;  ///< for each direction
+  std::vector<render::AreaInterval> areas;  ///< one for each direction
   MeshReport report;
 };
 
-/// x,y,z: three finite numbers, not all zero.
+/// Reads a direction x,y,z: three finite numbers that are not all zero.
 Vector3 parse_direction(const std::string& text) {
   Vector3 direction;
   const char* at = text.data();

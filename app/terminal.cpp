@@ -160,7 +160,7 @@ void complain_of_loss(const std::string& name, const MeshReport& report) {
 void check_output() {
   errno = 0;
   if (std::cout.flush()) return;
-  // It failed before, and nobody has kept the reason: asked once more, the system says it again.
+  // Writing failed before, and the reason was not kept: trying once more makes the system say it again.
   if (errno == 0 && write(STDOUT_FILENO, "\n", 1) == 1) errno = 0;
   throw std::runtime_error("standard output: cannot be written" + (errno != 0 ? ": " + system_reason(errno) : ""));
 }

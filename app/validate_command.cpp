@@ -153,7 +153,7 @@ void add_validate_command(CLI::App& app, int& status) {
       ->check(seed())
       ->capture_default_str();
   command->add_option("--collection", options->settings.collection,
-                      "Folder of models, for the claims about retrieval; they are untested without");
+                      "Folder of models, for the claims about retrieval, which otherwise are not tested");
   command->add_option("--classes", options->settings.classes,
                       "Their classification, a .cla file of the Princeton Shape Benchmark");
   command->add_option("--cache", options->settings.cache, "Folder in which their signatures are kept from run to run");

@@ -15,7 +15,7 @@ std::vector<Json> recover_journal(const std::filesystem::path& file) {
     errno = 0;
     std::ifstream in(file, std::ios::binary);
     if (!in && errno != ENOENT) throw std::runtime_error(file.string() + ": " + system_reason(errno));
-    for (std::string line; std::getline(in, line) && !in.eof();) {  // at the end of the file: no newline, cut off
+    for (std::string line; std::getline(in, line) && !in.eof();) {  // eof(): the line has no newline, so it was cut off
       values.push_back(Json::parse(line, nullptr, false));
       if (values.back().is_discarded())
         throw std::runtime_error(file.string() + ":line " + std::to_string(values.size()) + ": not JSON");

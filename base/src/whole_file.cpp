@@ -59,7 +59,7 @@ int open_in_place(const fs::path& file) {
   return open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | flags, 0666);
 }
 
-/// How a file is to be written: beside what is there, if anything is, or in place.
+/// How a file is to be written: in place, or to a file beside it, which replaces what is there, if anything is.
 struct Way {
   bool in_place = false;
   std::optional<Replaced> replaced;
@@ -73,10 +73,10 @@ Way way_to(const fs::path& file) {
     return {false, Replaced{fs::canonical(file), status}};
   }
   if (errno != ENOENT) throw_errno();
-  return {lstat(file.c_str(), &status) == 0, {}};  // true: a link to nowhere
+  return {lstat(file.c_str(), &status) == 0, {}};  // in place if it is a link that leads nowhere
 }
 
-/// The file that is written beside another, or beside its own future name.
+/// The file that is written beside another one, or beside its own future name.
 class Beside {
  public:
   Beside(const fs::path& file, const std::optional<Replaced>& replaced, bool named)
@@ -86,10 +86,11 @@ class Beside {
 
   void write(std::string_view content) { write_all(begun_.descriptor(), content); }
 
-  /// False if the system cannot name what has no name.
+  /// Gives the file its name; returns false if the system cannot give an unnamed file a name.
   bool finish() {
     if (replaced_) {
-      // A user who may not give the file away keeps it; the permissions are what counts.
+      // Only root may give a file to another owner. Where that fails the user owns the new file; its permissions, which
+      // matter, are kept all the same.
       if (fchown(begun_.descriptor(), replaced_->status.st_uid, replaced_->status.st_gid) != 0) errno = 0;
       if (fchmod(begun_.descriptor(), replaced_->status.st_mode & 0777) != 0) throw_errno();
     }

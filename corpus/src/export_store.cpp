@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 static_assert(std::endian::native == std::endian::little, "the numbers in the files are little-endian");
 
-/// Columns of the statement that all formats read.
+/// The columns of the query that all formats use.
 enum Column {
   kName,
   kSource,
@@ -48,7 +48,7 @@ void append_number(std::string& out, double x) {
   out.append(digits.data(), end);
 }
 
-/// Text as others can read it: see printable(). The lines of JSON keep names as they are.
+/// Text that other programs can read: see printable(). In JSON lines names stay as they are.
 void append_cell(std::string& out, std::string_view given) {
   const std::string text = printable(given);
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) {

@@ -46,8 +46,8 @@ class Run {
     bool busy = false, heard = false;  ///< heard: the worker has answered at least once
     bool again = false;                ///< the mesh is being tried a second time
     std::size_t mesh = 0;
-    Row row;               ///< of the mesh in work, as far as it is known
-    std::string left_out;  ///< of it by its reader
+    Row row;               ///< row of the mesh in work, filled in so far
+    std::string left_out;  ///< what the mesh's reader left out
     Clock::time_point started;
   };
 
@@ -144,7 +144,7 @@ class Run {
       ++summary_.copied;
       finish(worker, RowStatus::kDone, {});
     } else if (!in_work_.insert(worker.row.digest).second) {
-      channel.send(Kind::kKnown, "");  // another worker has it
+      channel.send(Kind::kKnown, "");  // another worker is doing the same mesh
       waiting_[worker.row.digest].emplace_back(std::move(worker.row), std::move(worker.left_out));
       worker.busy = false;
     } else {
@@ -219,8 +219,8 @@ class Run {
   const CorpusOptions& options_;
   const LoopControl& control_;
   std::vector<Worker> workers_;
-  std::set<std::string> in_work_;  ///< digests
-  /// Rows of meshes that are the same as one in work, with what was left out.
+  std::set<std::string> in_work_;  ///< digests of the meshes in work
+  /// By digest: rows of meshes equal to one that is in work, with what was left out of them.
   std::map<std::string, std::vector<std::pair<Row, std::string>>> waiting_;
   std::size_t next_ = 0, finished_ = 0;
   CorpusSummary summary_;

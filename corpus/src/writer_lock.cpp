@@ -14,7 +14,7 @@
 namespace rectilin::corpus {
 namespace {
 
-// A process that a killed program was just starting holds its lock for a moment longer.
+// If a program was killed while it was starting a process, that process holds its lock for a moment longer.
 constexpr int kAttempts = 40;
 constexpr std::chrono::milliseconds kPause(50);
 

@@ -197,7 +197,7 @@ Verdict check(const PlainJson& json, const MeshView& mesh) {
   const std::vector<Face> faces = area_vectors_of(mesh);
 
   const Matrix3 rotation = matrix(json["rotation"], "the rotation");
-  // A proof that rests on cuts alone has neither of these.
+  // A proof with cuts alone has neither of these.
   const PlainJson stated_floors = json.value("floors", PlainJson::array());
   const Matrix3 form = json.contains("form") ? matrix(json["form"], "the form") : Matrix3::Zero();
   if (form != form.transpose() || form.cwiseAbs().maxCoeff() > 1) refuse("the form is not symmetric and small");

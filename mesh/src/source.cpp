@@ -64,7 +64,7 @@ class Walk {
       else enter(path);
     } else if ((format_of_extension(path) || is_archive_name(path.native())) &&
                !path.filename().string().starts_with("._")) {
-      // Pipes and devices are not meshes; what has no status is reported.
+      // Pipes and devices are not meshes. A file whose status cannot be read is kept, so that the error is reported.
       if (fs::is_regular_file(status) || !fs::exists(status)) found_.push_back(path.string());
     }
   }
@@ -136,7 +136,8 @@ bool is_mesh_text(const std::string& file) {
   return looks_like_off(begin) || looks_like_ply(begin) || looks_like_stl(begin);
 }
 
-/// Not a list whose first file is called "solid state.off": the second word counts, too.
+/// Is the text a mesh rather than a list? The second word counts, too, as a list may begin with a file called
+/// "solid state.off".
 bool is_surely_mesh(std::string_view text) {
   const std::string_view begin = text.substr(0, 4096);
   LineReader words(begin, {});
@@ -147,7 +148,8 @@ bool is_surely_mesh(std::string_view text) {
          (looks_like_stl(text) && begin.find("facet") != std::string_view::npos);
 }
 
-/// What stands for an entry: the text behind the entry's source is put behind its name, too.
+/// Appends what an entry expands to. A folder's or archive's entry passes its name on: what follows its source in the
+/// sources of the parts follows its name in theirs.
 void expand(const NamedSource& entry, bool in_manifest, std::vector<NamedSource>& all) {
   const std::size_t before = all.size();
   const auto expand_inner = [&](const std::string& source) {

@@ -155,7 +155,7 @@ struct Margins {
   int left, bottom, right = 95, top = 42;
 };
 
-/// Of a map with more rows one end is out of sight, so the columns have their names at both.
+/// If a map has more rows, its top and bottom are not visible at once, so the names of columns are at both.
 constexpr std::size_t kTallMap = 30;
 
 Margins margins(const HeatMap& map) {

@@ -34,7 +34,7 @@ constexpr const char* kRuns = "runs.jsonl";
 
 void store_plan(const Plan& plan, const fs::path& folder) {
   const fs::path file = folder / "plan.json";
-  std::error_code unknown;  // left to read_whole_file(), which says why
+  std::error_code unknown;  // read_whole_file() will say what is wrong
   if (fs::status(file, unknown).type() == fs::file_type::not_found) {
     write_whole_file(file, to_text(to_json(plan), 2) + '\n');
     return;
@@ -69,8 +69,8 @@ constexpr std::uint64_t kReferenceBudgets = 10;
 /// A mesh of the plan and what is known about it.
 struct Problem {
   std::string name, error;
-  std::string digest;    // of the mesh
-  std::string left_out;  // of it by its reader
+  std::string digest;    // digest of the mesh
+  std::string left_out;  // what the mesh's reader left out
   std::size_t faces = 0;
   std::optional<AreaVectors> vectors;
   std::shared_ptr<const Objective> other;  // what is searched instead of R, if the plan says so

@@ -123,13 +123,13 @@ std::vector<std::string> titles(const std::vector<std::string>& sources) {
 Results load_results(const fs::path& folder) {
   Results results;
   const fs::path plan = folder / "plan.json";
-  std::error_code unknown;  // left to read_whole_file(), which says why
+  std::error_code unknown;  // read_whole_file() will say what is wrong
   if (fs::status(plan, unknown).type() == fs::file_type::not_found)
     throw std::runtime_error(folder.string() + ": holds no comparison (there is no plan.json)");
   try {
     results.plan = plan_from_json(Json::parse(read_whole_file(plan)));
   } catch (const Json::exception&) {
-    throw std::runtime_error(plan.string() + ": is no plan of a comparison");
+    throw std::runtime_error(plan.string() + ": is not the plan of a comparison");
   }
 
   const std::vector<std::string> title = titles(results.plan.meshes);

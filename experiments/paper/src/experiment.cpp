@@ -67,7 +67,7 @@ ExperimentOutcome run_experiment(const Experiment& experiment, const Json& setti
                     {"meshes", context.meshes},      {"data", result.data},
                     {"errors", result.errors},       {"left_out", context.losses->lines()},
                     {"pictures", pictures},          {"provenance", laboratory::provenance(command_line)}};
-  // Names of files may be in no encoding at all: what is not UTF-8 is replaced.
+  // File names may be in any encoding: what is not UTF-8 is replaced.
   write_whole_file(folder / (experiment.name + ".json"), to_text(all, 1) + '\n');
   return {result.says, result.errors, context.losses->lines(), report::draw_all(folder, names)};
 }

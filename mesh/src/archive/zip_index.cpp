@@ -22,7 +22,8 @@ constexpr std::uint32_t kEndMark = 0x06054b50, kTableEntryMark = 0x02014b50, kHe
 constexpr std::uint32_t kElsewhere = 0xFFFFFFFF;  // the number is in a zip64 record
 constexpr std::uint64_t kLargestTable = std::uint64_t{1} << 28;
 
-/// Flags that change nothing for us: levels of compression, sizes behind the data (the table has them), names in UTF-8.
+/// Flags that make no difference here: levels of compression, sizes after the data (the table has them), names in
+/// UTF-8. Names in other encodings, or with backslashes, are left to libarchive, which translates them.
 constexpr std::uint32_t kHarmlessFlags = 0x0806 | 0x0008;
 
 std::uint32_t zip_number(std::string_view bytes, std::size_t at, std::size_t count) {
@@ -41,7 +42,7 @@ bool is_plain_name(std::string_view name) {
          std::ranges::all_of(name, [](char c) { return c >= ' ' && c <= '~' && c != '\\'; });
 }
 
-/// Not a link or a folder, as far as systems like Unix have written what it is.
+/// Is the member a file, not a link or a folder, as far as Unix-like systems have recorded that?
 bool is_plain_file(std::string_view table_entry) {
   constexpr std::uint32_t kUnix = 3;
   if (zip_u16(table_entry, 4) >> 8 != kUnix) return true;
@@ -62,7 +63,7 @@ ZipIndex::~ZipIndex() {
   if (file_ >= 0) close(file_);
 }
 
-/// Fewer bytes if the file ends before.
+/// Reads bytes at a place in the file; fewer if the file ends before.
 std::string ZipIndex::bytes(std::uint64_t offset, std::size_t count) const {
   std::string all(static_cast<std::size_t>(std::min<std::uint64_t>(count, size_ - std::min(size_, offset))), '\0');
   std::size_t have = 0;
@@ -134,8 +135,8 @@ std::optional<std::string> ZipIndex::read(std::string_view member) const {
   const auto entry = std::ranges::lower_bound(entries_, zip_name_hash(member), {}, &Entry::hash);
   if (entry == entries_.end() || entry->hash != zip_name_hash(member) || !entry->usable) return std::nullopt;
 
-  // The member's own header has fields that the table does not give the length of; there is nearly always room for
-  // them in this, so that header and data are read at once.
+  // The member's own header has fields that the table does not give the length of; there is nearly always room for them
+  // in this, so that header and data are read at once.
   constexpr std::size_t kRoom = 64;
   std::string packed = bytes(entry->offset, kMemberHeaderSize + member.size() + kRoom + entry->packed);
   if (packed.size() < kMemberHeaderSize + member.size() || zip_u32(packed, 0) != kHeaderMark ||

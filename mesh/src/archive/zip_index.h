@@ -1,4 +1,4 @@
-// Members of ordinary zip archives, read from where the archive's table says that they are.
+// Reads members of ordinary zip archives at the places that the archive's table states.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@
 
 namespace rectilin {
 
-/// The table at the end of a zip archive (PKWARE, APPNOTE.TXT 6.3.10, section 4.3). libarchive inflates with zlib,
-/// through a window, and looks at each member's header on the way; with the table a member is one read and one call of
+/// The table at the end of a zip archive (PKWARE, APPNOTE.TXT 6.3.10, section 4.3). libarchive reads the header of each
+/// member on the way and inflates with zlib through a window. With the table a member takes one read and one call of
 /// libdeflate, which needs less than half of zlib's time.
 ///
-/// Only what is ordinary is in this index: members that are stored or deflated, not encrypted, smaller than 4 GiB,
-/// with a name in ASCII that no other member has. All the rest is left to class Unpacker, which also finds the words
-/// for what is wrong. The limits are those of Unpacker. Thread safe once constructed.
+/// The index only has ordinary members: stored or deflated, not encrypted, smaller than 4 GiB, and with a unique ASCII
+/// name. Everything else is left to class Unpacker, which also says what is wrong with a file. The limits are those of
+/// Unpacker. Thread safe once constructed.
 class ZipIndex {
  public:
-  /// Reads the table. The index is empty if the file is no ordinary zip archive, or if all its members together
+  /// Reads the table. The index is empty if the file is not an ordinary zip archive, or if all its members together
   /// unpack to more than an archive may.
   explicit ZipIndex(const std::filesystem::path& file);
   ~ZipIndex();
@@ -29,13 +29,13 @@ class ZipIndex {
   /// Members that read() can give.
   std::size_t size() const;
 
-  /// The content of a member; nothing if it is not in the index, or if anything is not as the table says, the checksum
-  /// included.
+  /// The content of a member; nothing if it is not in the index, or if anything, such as the checksum, differs from
+  /// what the table says.
   std::optional<std::string> read(std::string_view member) const;
 
  private:
   struct Entry {
-    std::uint64_t hash;  ///< of the name
+    std::uint64_t hash;  ///< hash of the name
     std::uint32_t offset, packed, unpacked, checksum;
     bool deflated, usable;  ///< usable: ordinary, and no other name has the same hash
   };

@@ -13,19 +13,19 @@ namespace rectilin {
 /// std::runtime_error, "FILE: " and the system's reason.
 std::string read_whole_file(const std::filesystem::path& file);
 
-/// Why there is no file to be read, for libraries that open files by themselves and keep the reason from us; no error
-/// if there is one. A folder is none.
+/// Why a file cannot be read, for libraries that open files themselves and do not pass the reason on; no error if it
+/// can be read. A folder is not a file.
 std::error_code why_unreadable(const std::filesystem::path& file);
 
-/// Writes a file under another name in the same folder and renames it at the end (see UnfinishedFile), so that a full
-/// disk or an end of the program in between neither leaves half of it nor destroys what was there. What it replaces
-/// hands on its permissions and must be writable; a link stays, and the file it leads to is replaced. Pipes, devices
-/// and links to nowhere are written in place. Throws std::runtime_error, "FILE: cannot be written: " and the system's
-/// reason.
+/// Writes a file so that a full disk, or a program that ends half way, leaves neither half of the new file nor destroys
+/// the old one: the content goes to another file in the same folder, which is renamed at the end (see UnfinishedFile).
+/// A file that is replaced must be writable, and the new one gets its permissions; if the path is a link, the file it
+/// leads to is replaced. Pipes, devices and links that lead nowhere are written in place. Throws std::runtime_error,
+/// "FILE: cannot be written: " and the system's reason.
 void write_whole_file(const std::filesystem::path& file, std::string_view content);
 
-/// The same for a file that is written piece by piece, as it is too large to be in memory: it takes its name in
-/// finish(), and without that nothing has changed. All throw as write_whole_file() does.
+/// Writes a file piece by piece, for content too large for memory. The file gets its name in finish(); without finish()
+/// nothing changes. All members throw as write_whole_file() does.
 class GrowingFile {
  public:
   explicit GrowingFile(const std::filesystem::path& file);

@@ -21,12 +21,13 @@ struct CorpusOptions {
   /// The command, with its arguments, that starts a worker: a program that calls run_worker(3, ...). Its first word is
   /// a path.
   std::vector<std::string> worker_command;
-  int workers = 1;                          ///< processes at a time
-  std::optional<double> seconds;            ///< for each mesh, from reading on
-  std::optional<std::uint64_t> memory;      ///< bytes for each worker, beyond what it begins with
-  bool retry = false;                       ///< meshes that failed or were limited, too
-  std::vector<std::filesystem::path> done;  ///< stores of the same task whose meshes need not be done again
-  /// Told of each row when it is in the store, one at a time, with summary() of what the mesh's reader left out.
+  int workers = 1;                          ///< worker processes at a time
+  std::optional<double> seconds;            ///< time limit for each mesh, reading it included
+  std::optional<std::uint64_t> memory;      ///< bytes that a worker may use on top of what it has when it starts
+  bool retry = false;                       ///< do meshes again that failed or were limited
+  std::vector<std::filesystem::path> done;  ///< other stores of this task: their meshes are skipped
+  /// Called for each row once it is in the store, one call at a time, with summary() of what the mesh's reader
+  /// left out.
   std::function<void(const Row& row, const std::string& left_out)> on_row;
 };
 

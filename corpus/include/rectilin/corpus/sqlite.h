@@ -24,7 +24,7 @@ class Statement {
   Statement& bind(int parameter, std::string_view text);
   Statement& bind(int parameter, double x);  ///< NaN becomes NULL
   Statement& bind(int parameter, std::int64_t x);
-  Statement& bind(int parameter, std::span<const std::uint8_t> bytes);  ///< must live as text must
+  Statement& bind(int parameter, std::span<const std::uint8_t> bytes);  ///< must stay valid, like text
   template <class Value>
   Statement& bind(int parameter, const std::optional<Value>& value) {
     return value ? bind(parameter, *value) : *this;  // a parameter that is not bound is NULL
@@ -40,7 +40,7 @@ class Statement {
   std::int64_t integer(int column) const;
   double real(int column) const;
   std::string_view text(int column) const;                ///< valid until the next step()
-  std::span<const std::uint8_t> bytes(int column) const;  ///< the same
+  std::span<const std::uint8_t> bytes(int column) const;  ///< likewise
 
  private:
   struct Finalize {
@@ -53,9 +53,9 @@ class Statement {
 class Database {
  public:
   enum class Mode {
-    kRead,   ///< without ever writing to the file
-    kWrite,  ///< made if it does not exist
-    kHeal,   ///< for reading; what a program that was killed left unfinished is undone first, where the file allows it
+    kRead,   ///< reads, and never writes to the file
+    kWrite,  ///< reads and writes; makes the file if it does not exist
+    kHeal,   ///< reads; first undoes what a killed program left unfinished, if the file is writable
   };
 
   /// Throws std::runtime_error, "FILE: reason", as everything here does.

@@ -10,8 +10,8 @@ namespace rectilin::corpus {
 /// could hold locks on two different files of that name.
 class WriterLock {
  public:
-  /// Waits for two seconds at most. Throws std::runtime_error if another program holds it still, or if the folder
-  /// cannot be written.
+  /// Waits for up to two seconds. Throws std::runtime_error if another program still holds it, or if the folder cannot
+  /// be written.
   explicit WriterLock(const std::filesystem::path& store);
   ~WriterLock();
   WriterLock(const WriterLock&) = delete;

@@ -11,7 +11,7 @@
 namespace rectilin::paper::claims {
 namespace {
 
-/// Least time of one comparison, of many tries, so that a busy machine counts little.
+/// The least time of one comparison in many tries, so that a busy machine matters little.
 double seconds_to_compare(const std::string& spec, Random& random) {
   const retrieval::DescriptorPointer descriptor = retrieval::make_descriptor(spec);
   std::vector<retrieval::Signature> signatures(2, retrieval::Signature(descriptor->bytes()));
@@ -25,7 +25,7 @@ double seconds_to_compare(const std::string& spec, Random& random) {
     for (int k = 0; k < kTogether; ++k) sum += descriptor->distance(signatures[0], signatures[1]);
     least = std::min(least, std::chrono::duration<double>(Clock::now() - begin).count() / kTogether);
   }
-  return sum >= 0 ? least : 0;  // the sum is asked for, so that it is computed
+  return sum >= 0 ? least : 0;  // using the sum keeps the compiler from leaving the work out
 }
 
 }  // namespace

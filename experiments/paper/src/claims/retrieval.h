@@ -1,4 +1,4 @@
-// What sections 7.1 and 7.2 say of retrieval. The tests need a folder of models with classes, but for that of times.
+// What sections 7.1 and 7.2 say about retrieval. All tests but the one of times need a folder of models with classes.
 #pragma once
 
 #include "claims/tests.h"
@@ -6,7 +6,7 @@
 
 namespace rectilin::paper::claims {
 
-/// Rows of the tables, and what they came to, by label.
+/// The rows of the tables and their scores, by label.
 class TestCollection {
  public:
   explicit TestCollection(tables::ScoredTable table) : table_(std::move(table)) {}
@@ -14,7 +14,7 @@ class TestCollection {
   /// Throws std::logic_error for a row that the claim did not ask for.
   const tables::ScoredRow& row(const std::string& label) const;
 
-  /// DCG of one row less that of another, in percent points, with the 95 % interval of the difference in the note.
+  /// The DCG of one row less that of another, in percentage points; the note has the 95 % interval of the difference.
   Finding difference(const std::string& better, const std::string& worse) const;
 
  private:
@@ -23,18 +23,18 @@ class TestCollection {
 
 /// GSMD_66 "provides better classification than LFD".
 std::vector<Finding> check_gsmd_beats_lfd(const TestCollection& collection);
-/// "higher-level descriptor does not guarantee better discrimination": 258 views against 66.
+/// "higher-level descriptor does not guarantee better discrimination": 258 views compared with 66.
 std::vector<Finding> check_views_saturate(const TestCollection& collection);
-/// Table 3: composite pose normalization against principal axes.
+/// Table 3: composite pose normalization compared with principal axes.
 std::vector<Finding> check_cpn_beats_pca(const TestCollection& collection);
-/// Table 3: 24 ways to match against 4, and 4 against 1.
+/// Table 3: 24 ways to match compared with 4, and 4 compared with 1.
 std::vector<Finding> check_more_matches(const TestCollection& collection);
 /// Tables 4 and 5: R added to each of six descriptors.
 std::vector<Finding> check_r_improves(const TestCollection& collection);
-/// Tables 4 to 6: GSMD + SHD + R against every other row that is computed.
+/// Tables 4 to 6: GSMD + SHD + R compared with every other row that is computed.
 std::vector<Finding> check_best_sum(const TestCollection& collection);
 
-/// "performs about 70 times quicker": the times of comparing two models, in one run.
+/// "performs about 70 times quicker": compares the times of comparing two models, in one run.
 std::vector<Finding> check_times_quicker(Random random);
 
 }  // namespace rectilin::paper::claims

@@ -40,7 +40,7 @@ struct TestMesh {
   const AreaVectors& vectors() const { return objective->vectors(); }
 };
 
-/// Throws what load_mesh() and area_vectors() throw.
+/// Loads a mesh and measures it. Throws what load_mesh() and area_vectors() throw.
 TestMesh make_test_mesh(const std::string& source, LossLog* losses = nullptr);
 TestMesh make_test_mesh(Mesh mesh, std::string name);
 

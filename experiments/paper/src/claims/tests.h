@@ -22,7 +22,7 @@ struct ClaimTest {
   std::vector<Finding> (*on_shapes)(Random random) = nullptr;
   /// The share of the findings that may be worse than the decisive one: 0 if the claim is about every case.
   double quantile = 0;
-  /// On a folder of models with classes; may be null. `rows` says what is to be computed for it.
+  /// The test on a folder of models with classes; may be null. `rows` lists what must be computed for it.
   std::vector<Finding> (*on_collection)(const TestCollection& collection) = nullptr;
   std::vector<tables::Row> (*rows)() = nullptr;
 };

@@ -111,7 +111,7 @@ class Run {
     });
   }
 
-  /// All rows that the claims need are computed at once, each signature once.
+  /// All rows that the claims need are computed together, so that each signature is computed once.
   void test_collection() {
     if (settings_.collection.empty() != settings_.classes.empty())
       throw ParameterError("a collection and its classes are needed together, or neither");
@@ -132,7 +132,7 @@ class Run {
       for (std::size_t i = 0; i < jobs_.size(); ++i)
         if (jobs_[i].test->on_collection != nullptr)
           for (Finding& finding : jobs_[i].test->on_collection(collection)) tallies_[i].add(std::move(finding));
-    } catch (const Stopped&) {  // they stay untested
+    } catch (const Stopped&) {  // the claims stay untested
     }
   }
 

@@ -21,8 +21,8 @@ struct ScoredPose {
   /// the nearest axis of the frame.
   double revolved_angle = 0;
   double confidence = 1;
-  bool unique = true;  ///< by the method's own account
-  Rotation frame;      ///< what was found, as rows
+  bool unique = true;  ///< does the method call its pose unique?
+  Rotation frame;      ///< the frame found; its rows are the axes
 };
 
 /// A share with its 95 % interval (Wilson 1927).
@@ -47,15 +47,16 @@ Share surer_half(std::vector<ScoredPose> poses, double degrees, Rule rule);
 /// first of the other, the second with the second, and so on.
 Share consistency(const std::vector<ScoredPose>& poses, double degrees);
 
-/// Does a pose turn with its model? Pairs of turns of one model that are both called unique: those whose frames, as
-/// seen from the model's own axes, are less than a millionth of a radian apart; and the widest angle of any pair.
+/// Does a pose turn together with its model? `same` counts the pairs of turns of one model, both called unique, whose
+/// frames differ by less than a millionth of a radian, as seen from the model's own axes; `widest` is the largest
+/// such angle.
 struct Steadiness {
   Share same;
   double widest = 0;  ///< radians
 };
 Steadiness steadiness(const std::vector<ScoredPose>& poses);
 
-/// The class of each model in a classification, by the model's name.
+/// The class of each model in a classification, by model name.
 std::map<std::string, std::string> classes_by_model(const retrieval::Classification& classification);
 
 /// The class of a mesh file, by its name without extension, or by that without a leading m; nothing if no class has it.

@@ -22,9 +22,9 @@ using report::SheetCell;
 /// A mesh that is made only when it is needed: an experiment may have more of them than fit into memory.
 struct Sample {
   std::string label;                ///< short, for people
-  std::string origin;               ///< a source for load_mesh(), perhaps with what was done to it
-  std::function<Mesh()> make;       ///< thread safe; the same mesh every time; none: the mesh of the origin
-  std::optional<Up> pictured = {};  ///< to be shown, this way up
+  std::string origin;               ///< a source for load_mesh(), or one and what was done to it
+  std::function<Mesh()> make;       ///< thread safe; the same mesh every time; if empty, the mesh of `origin`
+  std::optional<Up> pictured = {};  ///< set if it is to be shown: which way is up
 
   Mesh mesh(const ExperimentContext& context) const { return make ? make() : context.load(origin); }
 };

@@ -44,7 +44,7 @@ struct ScoredRow {
 
 struct ScoredTable {
   std::vector<ScoredRow> rows;
-  std::vector<std::size_t> class_of;  ///< of each model
+  std::vector<std::size_t> class_of;  ///< class of each model
   std::vector<std::string> errors;
   std::string collection;  ///< the collection in words
 };

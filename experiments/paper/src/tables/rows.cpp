@@ -7,7 +7,7 @@ const std::string kSilhouettes = "gsmd?image=silhouette&size=$size";
 const std::string kDepths = "gsmd?size=$size";
 const std::string kLfd = "lfd?size=$size";
 
-/// In the paper's pose.
+/// Silhouettes in the pose that the paper uses.
 std::string silhouettes(int views) { return kSilhouettes + "&pose=cpn&views=" + std::to_string(views); }
 
 }  // namespace
@@ -26,7 +26,7 @@ std::vector<Row> table3_rows() {
   const auto row = [](const char* label, const char* pose, const char* match, PaperScores paper) {
     return Row{label, kSilhouettes + "&views=66&pose=" + pose + "&match=" + match, paper};
   };
-  return {{"rect24", silhouettes(66), {67.9, 40.8, 51.3, 66.4}},  // the very row of Table 2
+  return {{"rect24", silhouettes(66), {67.9, 40.8, 51.3, 66.4}},  // the same row as in Table 2
           row("pca24", "pca", "all", {65.9, 40.3, 50.9, 66.0}),
           row("pca4", "pca-ordered", "turns", {65.7, 39.0, 49.5, 65.1}),
           row("pca", "pca-definite", "one", {65.0, 38.2, 48.5, 64.4})};

@@ -1,4 +1,4 @@
-// Which descriptors stand for the rows of Tables 2 to 6, and the paper's figures.
+// The rows of Tables 2 to 6: descriptors, and the paper's numbers for them.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@ std::vector<Row> table3_rows();
 std::vector<Row> table4_rows();
 std::vector<Row> table5_rows();
 
-/// The best sum beside other methods, of which some are built and some cited.
+/// The best sum, and other methods, some of which are built in and some only cited.
 std::vector<Row> table6_rows();
 
 }  // namespace rectilin::paper::tables

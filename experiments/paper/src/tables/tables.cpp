@@ -6,7 +6,7 @@
 namespace rectilin::paper::figures {
 namespace {
 
-/// Precision-recall curves of all rows of Tables 4 and 5.
+/// Precision-recall curves of all rows of tables 4 and 5.
 ExperimentResult precision_recall(const tables::ScoredTable& table) {
   ExperimentResult result;
   result.errors = table.errors;

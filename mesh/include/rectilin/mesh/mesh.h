@@ -26,15 +26,15 @@ struct Mesh {
 
 /// What a file with a scene graph (glTF, 3MF) says about the scene as a whole. All are 0 for other formats.
 struct SceneReport {
-  double metres_per_unit = 0;  ///< the file's unit of length, by which the mesh has been scaled: it is in metres
-  std::size_t instances = 0;   ///< meshes placed in the scene, each as often as it is placed
-  std::size_t skipped = 0;     ///< parts of them that are points or lines, or have no positions
-  std::size_t unplaced = 0;    ///< meshes that the file holds and the scene does not show, supports of a print for one
-  std::size_t deformed = 0;    ///< meshes placed whose skin or morph targets are not applied: they are as at rest
+  double metres_per_unit = 0;  ///< the file's unit of length; the mesh has been scaled to metres
+  std::size_t instances = 0;   ///< meshes placed in the scene, counted once for each place
+  std::size_t skipped = 0;     ///< parts left out: points, lines, or without positions
+  std::size_t unplaced = 0;    ///< meshes in the file that the scene does not show, such as supports for printing
+  std::size_t deformed = 0;    ///< meshes placed in their pose at rest, because skins and morph targets are not applied
 };
 
-/// What a reader found, repaired or left out on the way from a file to a Mesh: counts (all but `scene`), and where the
-/// first of a kind is. summary() (mesh_report.h) says in one line what was left out.
+/// What a reader found, repaired or left out on the way from a file to a Mesh: counts, and where the first of each kind
+/// is. summary() (mesh_report.h) says in one line what was left out.
 struct MeshReport {
   std::size_t vertices = 0;               ///< vertex records in the file (STL: three for each triangle)
   std::size_t polygons = 0;               ///< face records in the file, strips counted by triangle

@@ -31,30 +31,33 @@ std::optional<MeshFormat> format_of_extension(const std::filesystem::path& file)
 /// the rest of a line. Numbers may be "nan", "inf", "1.#IND" and the like: vertices that are not finite are dropped
 /// together with their faces, and reported, as are faces of fewer than three corners.
 ///
-/// OFF (text). Read: the keyword in capitals or small letters with any of the prefixes ST, C, N, 4 and n, or left out;
-///   counts on one line or several, the number of edges or not; a vertex a line, with whatever numbers stand behind
-///   its coordinates; a face on a line or over several, with a colour behind it. Reported: what follows the last face,
-///   another mesh for one. Refused: OFF BINARY; fewer vertices or faces than the counts say.
-/// OBJ. Read: `v`, `f` (`fo` in old files), indices from either end, lines continued by a backslash. Passed over:
-///   statements that say nothing of polygons, such as groups, materials, lines and curves. Reported: all others, above
-///   all free-form surfaces. Refused: unknown statements that look like vertices or faces, since a vertex less changes
-///   what all later indices mean, whatever separates their numbers; `call`, which asks for another file.
-/// PLY (text, binary of both byte orders). Read: `vertex`, `face` and `tristrips`, one element a line or over several.
-///   Passed over: other elements. Reported: those of them that list vertices; what follows the last element. Refused:
-///   values that the header does not know, header lines that are no statement, binary files copied as text.
-/// STL, text. Read: words in their order whatever lines they stand on; several solids; one `vertex` before all three.
-///   Each loop of a facet is a polygon. Reported: those of other than three corners. Refused: any other word, what
-///   follows `endsolid`, NUL within the text.
-/// STL, binary. Read: files of 84 + 50 n bytes, n their count of triangles, whatever their first 80 bytes are.
-///   Reported: NUL or white space behind that. Refused: any other size, with what it may come from (several files in
-///   one, a copy in text mode, more data behind each triangle).
+/// OFF (text). Read: the keyword in capitals or small letters, with any of the prefixes ST, C, N, 4 and n, or missing;
+///   counts on one line or several, with or without the number of edges; one vertex a line, ignoring further numbers on
+///   it; faces on one line or several, ignoring a colour at the end. Reported: anything after the last face, such as
+///   another mesh. Refused: OFF BINARY; fewer vertices or faces than the counts say.
+/// OBJ. Read: `v`, `f` (`fo` in old files), indices that count from either end, lines continued by a backslash.
+///   Ignored: statements that have nothing to do with polygons, such as groups, materials, lines and curves. Reported:
+///   all other statements, above all free-form surfaces. Refused: unknown statements that look like vertices or faces,
+///   whatever separates their numbers, since a missing vertex would change what all later indices mean; `call`, which
+///   asks for another file.
+/// PLY (text, and binary of both byte orders). Read: `vertex`, `face` and `tristrips`, each item on one line or
+///   several. Ignored: other elements. Reported: other elements that list vertices; anything after the last element.
+///   Refused: types that the format does not have, header lines that are not statements, binary files that were copied
+///   as text.
+/// STL, text. Read: words in the right order, however they are divided into lines; several solids; a single `vertex` in
+///   front of all three corners. Each loop of a facet is a polygon. Reported: loops with other than three corners.
+///   Refused: any other word, anything after `endsolid`, NUL inside the text.
+/// STL, binary. Read: files of 84 + 50 n bytes, where n is the count of triangles that they state, whatever their first
+///   80 bytes are. Reported: NUL or white space after that. Refused: any other size; the error says where it may come
+///   from (several files in one, a copy made in text mode, more data for each triangle).
 ///
-/// glTF 2.0, text and binary, with the buffers in files beside it and below (never elsewhere); 3MF. The scene is read:
-///   what it shows, or is to be built, with every instance in its place, in metres (see MeshReport::scene). Passed
-///   over: points, lines, materials, images. Reported: meshes that the scene does not show, a printer's supports among
-///   them; meshes whose skin or morph targets are not applied; indices that are left over behind the last triangle;
-///   what follows the end of a binary file. Refused: a compression of the geometry (Draco, meshopt); instances that
-///   come to more than 2^25 vertices and triangles; 3MF that unpacks to more than 300 times its size and 64 MiB.
+/// glTF 2.0, text and binary, with buffers in files in the same folder or below it, never elsewhere; 3MF. What is read
+///   is the scene that the file shows (or the build that it asks for), with every instance in its place, in metres (see
+///   MeshReport::scene). Ignored: points, lines, materials, images. Reported: meshes that the scene does not show, such
+///   as supports for printing; meshes whose skin or morph targets are not applied; indices left over after the last
+///   triangle; anything after the end of a binary file. Refused: compressed geometry (Draco, meshopt); instances that
+///   come to more than 2^25 vertices and triangles; 3MF files that unpack to more than 300 times their size and more
+///   than 64 MiB.
 ///
 /// A polygon is split into a fan of triangles or, where the fan would fold over itself, by clipping ears, so that a
 /// planar concave polygon keeps its area. Both look at the polygon along the coordinate axis nearest to its normal. A

@@ -16,12 +16,13 @@ namespace rectilin {
 /// mesh of the file. Every command that reads meshes prints it.
 std::string summary(const MeshReport& report);
 
-/// What readers left out of many meshes: a line "NAME: SUMMARY" for each, once however often it is read. Thread safe.
+/// Collects what readers left out of many meshes: one line "NAME: SUMMARY" for each mesh, however often it is read.
+/// Thread safe.
 class LossLog {
  public:
   void add(const std::string& name, const MeshReport& report);
   void add_line(const std::string& line);
-  /// By name.
+  /// The lines, sorted by name.
   std::vector<std::string> lines() const;
 
  private:
@@ -29,7 +30,8 @@ class LossLog {
   std::set<std::string> lines_;
 };
 
-/// An object with all fields of the report; `first_unknown` and `left_over_place` are null where there is none.
+/// A JSON object with all fields of the report; `first_unknown` and `left_over_place` are null where there is nothing
+/// to tell.
 Json to_json(const MeshReport& report);
 
 }  // namespace rectilin

@@ -21,10 +21,10 @@ struct NamedSource {
 /// Is the source a built-in shape, `shape:NAME?key=value`?
 bool is_shape_source(std::string_view source);
 
-/// Loads a built-in shape, a mesh file, a member of an archive, `archive.zip::path/in/it.obj`, or a compressed file,
-/// `chair.off.gz`. Archives may be zip, tar and 7z, compressed by gzip, xz, bzip2, lzma or zstd; a member may unpack to
-/// 1 GiB, and an archive to 300 times its size (or 64 MiB). Throws MeshError, also for a folder, or ParameterError for
-/// a shape that cannot be made.
+/// Loads a built-in shape, a mesh file, a member of an archive (`archive.zip::path/in/it.obj`) or a compressed file
+/// (`chair.off.gz`). Archives may be zip, tar and 7z, compressed by gzip, xz, bzip2, lzma or zstd. A member may unpack
+/// to 1 GiB, an archive to 300 times its size (or to 64 MiB, if that is more). Throws MeshError, also for a folder, and
+/// ParameterError for a shape that cannot be made.
 LoadedMesh load_mesh(const std::string& source);
 
 /// Replaces each folder by the mesh files and archives in it and in its subfolders, sorted by path; each archive by the
@@ -36,18 +36,19 @@ LoadedMesh load_mesh(const std::string& source);
 /// be read or hold no mesh, links with the name of a mesh that lead nowhere, and links to a folder that they are
 /// inside of.
 ///
-/// A list is a file .txt or .lst of one source a line, with a class behind a tab if there is one, and comments behind
-/// #; or a file .csv with columns `source` (or `path`, `file`), `name` and `class` (or `category`, `label`), in any
-/// order and among others; the first is needed. Sources in a list are relative to the list's folder, and names are the
-/// sources as they stand there if the list gives none. A file .txt whose content is a mesh is one.
+/// A list is a .txt or .lst file with one source a line, optionally a class after a tab, and comments after #; or a
+/// .csv file with the columns `source` (or `path`, `file`), `name` and `class` (or `category`, `label`) in any order
+/// and among others. Only `source` is required. Sources in a list are relative to the list's folder; their names are
+/// the sources as written there, unless the list gives others. A .txt file that contains a mesh is read as a mesh.
 std::vector<NamedSource> expand_sources(const std::vector<std::string>& sources);
 
 /// Only the sources of expand_sources(), without names and classes.
 std::vector<std::string> expand_folders(const std::vector<std::string>& sources);
 
-/// The names in a list: one a line (LF or CRLF, with or without a UTF-8 byte order mark; empty lines do not count), or
-/// each ended by NUL as `find -print0` writes them. Throws MeshError for text with NUL that is not such a list, UTF-16
-/// for one, and for what is a mesh itself. `name` stands for the list in errors.
+/// The names in a list of files as other programs print it: one a line (LF or CRLF, with or without a UTF-8 byte order
+/// mark; empty lines are ignored), or each ended by NUL, as `find -print0` writes them. Throws MeshError for text that
+/// contains NUL but is not such a list, UTF-16 for example, and for text that is itself a mesh. `name` is what errors
+/// call the list.
 std::vector<std::string> sources_in_list(std::string_view list, const std::string& name);
 
 }  // namespace rectilin

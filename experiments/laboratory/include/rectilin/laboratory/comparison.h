@@ -30,7 +30,7 @@ struct ComparisonProgress {
 struct ComparedMesh {
   AreaVectors vectors;
   std::size_t faces = 0;
-  std::string digest;         ///< tells another mesh from this one when a comparison goes on
+  std::string digest;         ///< tells whether the mesh has changed when a comparison is resumed
   std::string left_out = {};  ///< what the reader left out: summary() of its report
 };
 
@@ -45,9 +45,9 @@ struct ComparisonSettings {
   /// Loads the mesh of a name in the plan; called once for each, one at a time. If it throws, that is the error of
   /// this mesh.
   std::function<ComparedMesh(const std::string& name)> load = load_compared_mesh;
-  /// Makes the objective of a mesh if Plan::objective is another than kRectilinearity; called right after `load`.
+  /// Makes the objective of a mesh, if Plan::objective is not kRectilinearity; called right after `load`.
   std::function<std::shared_ptr<const Objective>(const std::string& name)> objective = {};
-  /// Writes the report, too, when nothing is left to run: see write_report().
+  /// Also write the report (see write_report()) when all runs are done.
   bool report = false;
 };
 
@@ -56,7 +56,7 @@ struct ComparisonOutcome {
   std::size_t failed_runs = 0;
   std::vector<std::string> mesh_errors;  ///< one line for each mesh that could not be measured
   std::vector<std::string> losses;       ///< one line for each mesh that is not all that its file holds
-  report::PictureTroubles pictures;              ///< of the report
+  report::PictureTroubles pictures;      ///< what went wrong with the report's plots
 };
 
 /// Does the runs of `plan` that are not yet in `folder`, which is made if necessary and afterwards holds

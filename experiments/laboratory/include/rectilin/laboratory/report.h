@@ -14,7 +14,7 @@ namespace rectilin::laboratory {
 /// cannot be written, or if another program is writing there.
 report::PictureTroubles write_report(const std::filesystem::path& folder);
 
-/// The same for who holds the folder already.
+/// Likewise, for a caller that holds the lock of the folder already.
 report::PictureTroubles write_report(const std::filesystem::path& folder, const FolderLock& held);
 
-}  // namespace rectilin
+}  // namespace rectilin::laboratory

@@ -42,8 +42,8 @@ struct RunResult {
 
 struct MeshResult {
   std::string name;      ///< the source as given
-  std::string title;     ///< short, unique in the comparison, without folders and ending
-  std::string error;     ///< if it could not be measured: then nothing but the names is set
+  std::string title;     ///< a short name, unique in the comparison: no folders, no extension
+  std::string error;     ///< why it could not be measured; then only the names are set
   std::string left_out;  ///< what its reader left out, if anything
   std::size_t faces = 0, directions = 0;
   double area = 0;

@@ -33,19 +33,19 @@ const Suite& suite_by_name(std::string_view name);
 /// Your own meshes as a suite, with the names of their files. Throws ParameterError if there are none.
 Suite suite_of(const std::vector<std::string>& sources);
 
-/// A problem for programs in any language: an object with
+/// A problem for programs in any language, as a JSON object with
 /// - `format` ("rectilin problem"), `version` (1), `name`, `source`, `digest` (of the mesh), `faces`, `directions`, and
 ///   `left_out` if the mesh is not all that its file holds;
-/// - `vectors`: area vectors over the whole area, rows of three numbers. The objective is to be minimised over
-///   rotations R: value(R) = sum over rows v of |R v|_1, in [1, sqrt(3)];
-/// - `rotation`, `value`: the best known; `value_lower`: proved, no rotation has less;
-/// - `rectilinearity`, `lower`, `upper`: the same as R = 3/value - 2.
+/// - `vectors`: the area vectors divided by the total area, rows of three numbers. The objective to be minimised over
+///   rotations R is value(R) = sum over rows v of |R v|_1, in [1, sqrt(3)];
+/// - `rotation`, `value`: the best rotation known and its value; `value_lower`: a proved bound, no rotation has less;
+/// - `rectilinearity`, `lower`, `upper`: the same values and bounds as R = 3/value - 2.
 Json problem_json(const std::string& name, const std::string& source, const ComparedMesh& mesh,
                   const Rectilinearity& optimum);
 
-/// Writes NAME.json of every problem, certified to `gap`, and suite.json, which lists them with their digests and
-/// intervals. Throws MeshError for a mesh that cannot be measured, std::runtime_error if the folder cannot be written.
-/// A stop ends it with Stopped. Returns a line for each mesh that is not all that its file holds.
+/// Writes NAME.json for every problem, with R certified to `gap`, and suite.json, which lists the problems with their
+/// digests and bounds. Throws MeshError for a mesh that cannot be measured, std::runtime_error if the folder cannot be
+/// written, and Stopped after a stop. Returns a line for each mesh that is not all that its file holds.
 std::vector<std::string> export_suite(const Suite& suite, const std::filesystem::path& folder, double gap,
                                       const LoopControl& control = {});
 

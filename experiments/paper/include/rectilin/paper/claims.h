@@ -65,8 +65,9 @@ struct ClaimResult {
 struct ValidationSettings {
   std::vector<std::string> claims = {};  ///< ids of the claims to test; empty: all
   std::uint64_t seed = 1;
-  /// A folder of models and their .cla file, for the claims about retrieval, which are untested without; and a folder
-  /// in which signatures are kept from run to run (none: they are not kept). `size`: pixels in a row of a picture.
+  /// A folder of models and their .cla file, for the claims about retrieval, which otherwise are not tested; and a
+  /// folder in which signatures are kept from run to run (if empty they are not kept). `size` is the width and height
+  /// of pictures in pixels.
   std::string collection = {}, classes = {}, cache = {};
   int size = 256;
   std::stop_token stop = {};
@@ -86,9 +87,9 @@ struct Validation {
 
 /// Tests claims on meshes (sources for load_mesh(), or validation_shapes() if there are none) and, for claims about
 /// particular shapes, on those shapes. The result depends on sources, claims and seed but not on the number of threads;
-/// only the margins of the claims linear-cost and time-70 are times. Throws ParameterError for an unknown claim and for a
-/// collection without classes or the reverse, MeshError for a folder without meshes, std::runtime_error for a collection
-/// that cannot be read.
+/// only the margins of the claims linear-cost and time-70 are times. Throws ParameterError for an unknown claim and for
+/// a collection without classes or the reverse, MeshError for a folder without meshes, std::runtime_error for a
+/// collection that cannot be read.
 Validation validate(const std::vector<std::string>& sources, const ValidationSettings& settings = {});
 
 /// The built-in shapes that are tested if no mesh is given.

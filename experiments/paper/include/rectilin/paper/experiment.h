@@ -26,7 +26,7 @@ struct ExperimentContext {
   double gap = 1e-6;       ///< width to which R is certified
   std::stop_token stop = {};
   OnProgress on_progress = {};
-  /// What the readers left out of the meshes.
+  /// What readers left out of the meshes.
   std::shared_ptr<LossLog> losses = std::make_shared<LossLog>();
   struct FromPipes {
     std::mutex mutex;
@@ -34,8 +34,8 @@ struct ExperimentContext {
   };
   std::shared_ptr<FromPipes> from_pipes = std::make_shared<FromPipes>();
 
-  /// load_mesh(), with what was left out on record. What comes through a pipe is kept, as it can be read but once.
-  /// Thread safe.
+  /// Loads a mesh with load_mesh() and records what was left out. A mesh from a pipe is kept, because it can be read
+  /// only once. Thread safe.
   Mesh load(const std::string& source) const;
   LoopControl loop() const { return {.stop = stop, .on_progress = on_progress}; }
 };
@@ -76,14 +76,14 @@ struct ExperimentOutcome {
   std::string says;                      ///< see ExperimentResult
   std::vector<std::string> mesh_errors;  ///< a line for each mesh that could not be measured
   std::vector<std::string> losses;       ///< a line for each mesh that is not all that its file holds
-  report::PictureTroubles pictures;              ///< what could not be drawn
+  report::PictureTroubles pictures;      ///< what could not be drawn
 };
 
-/// Runs an experiment and writes into `folder`, which is made if need be: NAME.json (settings, seed, meshes,
-/// provenance, `says` and all data) and for each picture its CSV, gnuplot (of curves) and SVG files. Meshes and
-/// pictures that failed are missing, with a line in the outcome; the rest is written all the same. Throws what
-/// Experiment::make() throws (then nothing is written), ParameterError for meshes given to an experiment that takes
-/// none, and std::runtime_error if the folder cannot be written.
+/// Runs an experiment and writes into `folder`, which is made if necessary: NAME.json (settings, seed, meshes,
+/// provenance, the line `says` and all data), and for each picture an SVG file, a CSV file and, if it is a plot, a
+/// gnuplot file. Meshes and pictures that fail are left out, with a line in the outcome; everything else is written all
+/// the same. Throws what Experiment::make() throws (then nothing is written), ParameterError if meshes are given to an
+/// experiment that takes none, and std::runtime_error if the folder cannot be written.
 ExperimentOutcome run_experiment(const Experiment& experiment, const Json& settings, const ExperimentContext& context,
                                  const std::filesystem::path& folder, const std::string& command_line);
 
