@@ -56,6 +56,14 @@ Rotation rotation_from_vector(const Eigen::Vector3d& turn) {
   return Rotation::from_quaternion({std::cos(angle / 2), s * turn.x(), s * turn.y(), s * turn.z()});
 }
 
+Rotation frame_about(const Eigen::Vector3d& axis) {
+  Eigen::Matrix3d rows;
+  rows.row(0) = axis.unitOrthogonal().transpose();
+  rows.row(2) = axis.transpose();
+  rows.row(1) = axis.cross(Eigen::Vector3d(rows.row(0).transpose())).transpose();
+  return Rotation::from_matrix(rows);
+}
+
 Rotation random_rotation(Random& random) {
   const double u = random.uniform();
   const double a = 2 * std::numbers::pi * random.uniform();

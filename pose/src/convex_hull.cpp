@@ -1,6 +1,5 @@
 #include "rectilin/pose/convex_hull.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,8 @@
 
 extern "C" {
 #include <libqhull_r/libqhull_r.h>
+
+#include "rectilin/base/symmetric.h"
 }
 
 namespace rectilin::pose {
@@ -45,8 +46,7 @@ Spread spread(const std::vector<Vector3>& points) {
   for (const Vector3& p : points) mean += p / static_cast<double>(points.size());
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   for (const Vector3& p : points) moments += (p - mean) * (p - mean).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments);
-  Spread result{solver.eigenvectors(), Vector3::Zero(), mean};
+  Spread result{symmetric_eigen(moments).vectors, Vector3::Zero(), mean};
   for (int k = 0; k < 3; ++k) {
     double lower = 0, upper = 0;
     for (const Vector3& p : points) {

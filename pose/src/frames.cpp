@@ -11,14 +11,6 @@ Rotation frame_of(Eigen::Matrix3d rows) {
   return Rotation::from_matrix(rows);
 }
 
-Rotation frame_about(const Eigen::Vector3d& axis) {
-  Eigen::Matrix3d rows;
-  rows.row(0) = axis.unitOrthogonal().transpose();
-  rows.row(2) = axis.transpose();
-  rows.row(1) = axis.cross(Eigen::Vector3d(rows.row(0).transpose())).transpose();
-  return Rotation::from_matrix(rows);
-}
-
 Eigen::Vector3d hemisphere_point(int i, int count) {
   const double z = 1 - (i + 0.5) / count, turn = i * std::numbers::pi * (3 - std::sqrt(5.0));
   const double r = std::sqrt(1 - z * z);

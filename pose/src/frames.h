@@ -8,9 +8,6 @@ namespace rectilin::pose {
 /// The rotation with these rows, the last one turned around if that makes it proper.
 Rotation frame_of(Eigen::Matrix3d rows);
 
-/// Some frame whose third axis is `axis` (unit vector), or whose axis k is.
-Rotation frame_about(const Eigen::Vector3d& axis);
-
 /// Point i of `count` of a Fibonacci spiral over the hemisphere z >= 0, spread evenly.
 Eigen::Vector3d hemisphere_point(int i, int count);
 

@@ -1,8 +1,8 @@
 // Principal axes: of the surface, of the vertices, of the normals.
-#include <Eigen/Eigenvalues>
 
 #include "frames.h"
 #include "methods.h"
+#include "rectilin/base/symmetric.h"
 
 namespace rectilin::pose {
 namespace {
@@ -16,11 +16,11 @@ bool close_moments(double larger, double smaller) { return larger - smaller <= k
 }  // namespace
 
 Pose principal_axes(const Eigen::Matrix3d& moments, const std::string& name) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments);
+  const SymmetricEigen eigen = symmetric_eigen(moments);
   Eigen::Matrix3d rows;
-  for (int k = 0; k < 3; ++k) rows.row(k) = solver.eigenvectors().col(2 - k).transpose();
+  for (int k = 0; k < 3; ++k) rows.row(k) = eigen.vectors.col(2 - k).transpose();
   Pose pose = single(name, frame_of(rows));
-  const Eigen::Vector3d values = solver.eigenvalues().reverse();
+  const Eigen::Vector3d values = eigen.values.reverse();
   const bool first = close_moments(values[0], values[1]), last = close_moments(values[1], values[2]);
   pose.reason = "moments in the ratio 1 : " + std::to_string(values[1] / values[0]) + " : " +
                 std::to_string(std::max(values[2], 0.0) / values[0]);

@@ -1,6 +1,5 @@
 #include "rectilin/pose/roundness.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -30,8 +29,9 @@ double unroundness(const Surface& surface, const Mesh& hull, const Vector3& axis
   const Rotation frame = frame_about(axis);
   const Eigen::Matrix<double, 2, 3> across = frame.matrix().topRows<2>();
   const Eigen::Matrix2d moments = across * surface.moments * across.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(moments);
-  double worst = solver.eigenvalues()[1] > 0 ? 1 - solver.eigenvalues()[0] / solver.eigenvalues()[1] : 1;
+  const double mean = moments.trace() / 2;
+  const double half = std::hypot((moments(0, 0) - moments(1, 1)) / 2, moments(0, 1));  // the eigenvalues: mean +- half
+  double worst = mean + half > 0 ? 2 * half / (mean + half) : 1;
   constexpr int kDirections = 24;
   Range widths, areas;
   const AreaVectors vectors = area_vectors(hull);

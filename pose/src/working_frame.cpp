@@ -1,8 +1,7 @@
 #include "working_frame.h"
 
-#include <Eigen/Eigenvalues>
-
 #include "methods.h"
+#include "rectilin/base/symmetric.h"
 #include "rectilin/pose/axes.h"
 
 namespace rectilin::pose {
@@ -14,8 +13,7 @@ constexpr double kDistinctMoments = 1e-3;
 }  // namespace
 
 Rotation working_frame(const Surface& surface) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(surface.moments);
-  const Eigen::Vector3d values = solver.eigenvalues();
+  const Eigen::Vector3d values = symmetric_eigenvalues(surface.moments);
   const bool distinct = std::min(values[1] - values[0], values[2] - values[1]) > kDistinctMoments * values[2];
   const Rotation frame = distinct ? pca_pose(surface).rotation
                                   : rectilinear_pose(surface, {.gap = 1e-5, .cells = 20'000, .optima = false}).rotation;

@@ -1,9 +1,10 @@
 #include "certify/kink_ball.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "rectilin/base/symmetric.h"
 
 namespace rectilin::certification {
 namespace {
@@ -97,11 +98,6 @@ double least_support(const Eigen::Vector3d& w, const std::vector<Summand>& summa
   // Moments are merged unless their angle exceeds 1e-7; that leaves 1e-9 of the digits of a normal to rounding.
   least -= 1e-8 * rounding / kBallRounding;
   return summands.size() >= 3 && least > 0 ? least : -w.norm() - rounding;
-}
-
-Eigen::Vector3d symmetric_eigenvalues(const Eigen::Matrix3d& m) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(0.5 * (m + m.transpose()), Eigen::EigenvaluesOnly)
-      .eigenvalues();
 }
 
 /// The radius of the ball if the first `count` of the free generators are used.

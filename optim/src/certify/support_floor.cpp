@@ -1,11 +1,12 @@
 #include "certify/support_floor.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <vector>
+
+#include "rectilin/base/symmetric.h"
 
 namespace rectilin::certification {
 namespace {
@@ -31,7 +32,7 @@ int level_of_edge(double edge) {
 /// matrix to make it positive. Zero where h varies too much for least_on().
 Eigen::Matrix3d quadratic_part(const Eigen::Matrix3d& second, double total) {
   const Eigen::Matrix3d part = 15.0 / 16 * second;
-  const Eigen::Vector3d values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(part).eigenvalues();
+  const Eigen::Vector3d values = symmetric_eigen(part).values;
   if (values[2] - values[0] > 0.15 * total) return Eigen::Matrix3d::Zero();
   const Eigen::Matrix3d form = part - values[0] * Eigen::Matrix3d::Identity();
   return 0.5 * (form + form.transpose());

@@ -50,6 +50,9 @@ Rotation rotation_from_rodrigues(const Eigen::Vector3d& rho);
 /// The rotation about the direction of `turn` by its length, in radians.
 Rotation rotation_from_vector(const Eigen::Vector3d& turn);
 
+/// Some frame whose third axis is `axis`, a unit vector.
+Rotation frame_about(const Eigen::Vector3d& axis);
+
 /// A random rotation, uniform with respect to the invariant (Haar) measure (Shoemake 1992).
 Rotation random_rotation(Random& random);
 

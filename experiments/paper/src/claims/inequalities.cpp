@@ -1,6 +1,5 @@
 #include "claims/inequalities.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +12,7 @@ const double kSqrt3 = std::sqrt(3.0);
 std::vector<Rotation> rotations_for(const TestMesh& tested, Random& random, const Vector3& target) {
   std::vector<Rotation> rotations{tested.best.rotation};
   for (int i = 0; i < 4; ++i) rotations.push_back(random_rotation(random));
-  rotations.push_back(Rotation::from_quaternion(Eigen::Quaterniond::FromTwoVectors(tested.vectors()[0], target)));
+  rotations.push_back(frame_about(target).inverse() * frame_about(tested.vectors()[0].normalized()));
   return rotations;
 }
 

@@ -1,6 +1,5 @@
 #include "claims/paper_box.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +7,7 @@
 #include <queue>
 #include <vector>
 
+#include "rectilin/base/symmetric.h"
 #include "rectilin/optim/domain.h"
 
 namespace rectilin::paper::claims {
@@ -27,8 +27,7 @@ double bound(const Cut& cut, const Rotation& at, double radius) {
   if (radius > std::numbers::pi / 2) return 1;  // eq. (12)
   const Eigen::Matrix3d b = at.matrix() * cut.gradient.transpose();
   const double w = turning_gradient(cut.gradient, at).norm();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver((b + b.transpose()) / 2, Eigen::EigenvaluesOnly);
-  return cut.value - std::sin(radius) * w - (1 - std::cos(radius)) * (cut.value - solver.eigenvalues()[0]);
+  return cut.value - std::sin(radius) * w - (1 - std::cos(radius)) * (cut.value - symmetric_eigenvalues(b)[0]);
 }
 
 class Search {
