@@ -93,6 +93,9 @@ function(rectilin_unite target)
     return()
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # GCC looks for unused memory again and again in sources this large. To begin at a gigabyte saves a tenth of the
+  # processor's time and takes a fifth more memory: 1.5 GB for the largest.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=1048576>)
   get_target_property(sources ${target} SOURCES)
   set(folders "")
   foreach(source IN LISTS sources)

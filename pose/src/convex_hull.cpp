@@ -10,9 +10,9 @@
 
 extern "C" {
 #include <libqhull_r/libqhull_r.h>
+}
 
 #include "rectilin/base/symmetric.h"
-}
 
 namespace rectilin::pose {
 namespace {
