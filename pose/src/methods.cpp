@@ -34,7 +34,9 @@ void SilhouetteOptions::bind(Parameters& table) {
 }
 
 void CpnOptions::bind(Parameters& table) {
-  table.flag("pixels", pixels, "count pixels, as the paper does, rather than enclose areas until they are told apart")
+  table
+      .flag("pixels", pixels,
+            "count pixels, as the paper does; false: enclose the areas until they are told apart, to 1e-6 if need be")
       .integer("size", size, 16, 4096, "pixels along an edge of the pictures")
       .real("gap", gap, 0, 10, "width to which the rectilinearity is certified");
 }

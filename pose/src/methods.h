@@ -36,7 +36,7 @@ struct SilhouetteOptions {
 };
 
 struct CpnOptions {
-  bool pixels = false;
+  bool pixels = true;
   int size = 256;
   double gap = 1e-6;
   void bind(Parameters& table);

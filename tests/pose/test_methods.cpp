@@ -33,7 +33,8 @@ constexpr double kDegree = std::numbers::pi / 180;
 TEST_CASE("a bracket: every method that should find its axes does", "[pose]") {
   const Rotation turn = rotation_from_euler(0.4, 1.1, 2.3);
   const Mesh mesh = moved(bracket(), turn, 7, {100, -30, 20});
-  for (const std::string name : {"normal-pca", "rectilinear", "symmetry", "silhouette", "cpn", "composite"}) {
+  for (const std::string name :
+       {"normal-pca", "rectilinear", "symmetry", "silhouette", "cpn", "cpn?pixels=false", "composite"}) {
     INFO(name);
     const double angle = frame_angle(pose_of(name, mesh).rotation, turn.inverse());
     CHECK(angle < (name == "silhouette" ? 1 * kDegree : 1e-6));
@@ -81,7 +82,7 @@ TEST_CASE("a pose turns, moves and grows with the mesh", "[pose]") {
 
 TEST_CASE("the same bits for any number of threads", "[pose]") {
   const Mesh mesh = moved(shape("blob?faces=3000"), rotation_from_euler(0.3, 0.2, 0.1));
-  for (const std::string name : {"composite", "cpn", "box"}) {
+  for (const std::string name : {"composite", "cpn", "cpn?pixels=false", "box"}) {
     const pose::Pose many = pose_of(name, mesh);
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     const pose::Pose alone = pose_of(name, mesh);
