@@ -15,7 +15,6 @@
 #include "methods.h"
 #include "rectilin/pose/convex_hull.h"
 #include "roundness_of.h"
-#include "working_frame.h"
 
 namespace rectilin::pose {
 namespace {
@@ -152,9 +151,7 @@ std::vector<Vector3> large_faces(const Mesh& hull, std::size_t count) {
 
 }  // namespace
 
-Pose box_pose(const Surface& given, const BoxOptions& options) {
-  const Rotation work = working_frame(given);
-  const Surface surface = turned(given, work);
+Pose box_pose(const Surface& surface, const BoxOptions& options) {
   const Mesh hull = convex_hull(surface.mesh);
   std::vector<std::pair<std::string, Box>> scanned;
   for (const Vector3& normal : large_faces(hull, kFaces))
@@ -170,22 +167,21 @@ Pose box_pose(const Surface& given, const BoxOptions& options) {
   Pose pose;
   const double unit = std::pow(surface.area, 1.5), best = scanned.front().second.volume;
   for (const auto& [name, box] : scanned) {
-    const Rotation rotation = box.rotation * work;
-    const auto same = [&r = rotation](const PoseCandidate& c) { return frame_angle(c.rotation, r) < 1e-3; };
+    const auto same = [&r = box.rotation](const PoseCandidate& c) { return frame_angle(c.rotation, r) < 1e-3; };
     if (std::ranges::any_of(pose.candidates, same)) continue;
     PoseCandidate candidate;
     candidate.name = name;
-    candidate.rotation = rotation;
+    candidate.rotation = box.rotation;
     candidate.volume = candidate.score = box.volume / unit;
     if (!pose.candidates.empty() && box.volume <= best * (1 + 1e-6)) {
       pose.uniqueness = Uniqueness::kSeveral;
-      pose.alternatives.push_back(rotation);
+      pose.alternatives.push_back(box.rotation);
     }
     pose.candidates.push_back(std::move(candidate));
   }
   choose(pose, 0);
   pose.reason = "least volume of " + std::to_string(scanned.size()) + " local minima";
-  note_roundness(pose, given, convex_hull(given.mesh));
+  note_roundness(pose, surface, hull);
   return pose;
 }
 

@@ -24,7 +24,6 @@
 #include "rectilin/measure/projected_area.h"
 #include "rectilin/pose/convex_hull.h"
 #include "roundness_of.h"
-#include "working_frame.h"
 
 namespace rectilin::pose {
 namespace {
@@ -132,9 +131,7 @@ void judge(Pose& pose) {
 
 }  // namespace
 
-Pose composite_pose(const Surface& given, const CompositeOptions& options) {
-  const Rotation work = working_frame(given);
-  const Surface surface = turned(given, work);
+Pose composite_pose(const Surface& surface, const CompositeOptions& options) {
   const Mesh hull = convex_hull(surface.mesh);
   const MirrorDefect defect(surface, hull);
   const ProjectedArea mesh_area(area_vectors(surface.mesh)), hull_area(area_vectors(hull));
@@ -154,9 +151,6 @@ Pose composite_pose(const Surface& given, const CompositeOptions& options) {
   choose(pose, 0);
   note_roundness(pose, surface, hull, kRound);
   judge(pose);
-  for (PoseCandidate& c : pose.candidates) c.rotation = c.rotation * work;
-  for (Rotation& r : pose.alternatives) r = r * work;
-  choose(pose, 0);
   return pose;
 }
 

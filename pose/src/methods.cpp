@@ -4,6 +4,7 @@
 
 #include "rectilin/measure/projected_area.h"
 #include "rectilin/optim/registry.h"
+#include "working_frame.h"
 
 namespace rectilin::pose {
 
@@ -74,6 +75,16 @@ void add(Factory<PoseMethod>& table, const std::string& name, std::string help, 
   });
 }
 
+/// The same for a method that looks from directions of its own, or takes the first of several frames that are as good:
+/// it gets the surface in its working frame.
+template <class Options, class Find>
+void add_turning(Factory<PoseMethod>& table, const std::string& name, std::string help, Find find) {
+  add<Options>(table, name, std::move(help), [find](const Surface& surface, const Options& options) {
+    const Rotation work = working_frame(surface);
+    return turned_back(find(turned(surface, work), options), work);
+  });
+}
+
 }  // namespace
 
 const Factory<PoseMethod>& pose_methods() {
@@ -85,16 +96,19 @@ const Factory<PoseMethod>& pose_methods() {
                    [](const Surface& s, NoOptions) { return vertex_pca_pose(s); });
     add<NoOptions>(table, "normal-pca", "principal axes of the faces' normals, weighted by area",
                    [](const Surface& s, NoOptions) { return normal_pca_pose(s); });
-    add<CertifiedOptions>(table, "rectilinear", "the pose of R(M): least projected area, certified", rectilinear_pose);
-    add<CertifiedOptions>(table, "hull", "the same of the convex hull: least silhouettes of the hull", hull_pose);
-    add<BoxOptions>(table, "box", "the axes of the box of least volume found", box_pose);
-    add<SymmetryOptions>(table, "symmetry", "the best mirror plane or axis of revolution, then the best turn about it",
-                         symmetry_pose);
-    add<SilhouetteOptions>(table, "silhouette", "least silhouettes of the mesh itself, by search", silhouette_pose);
-    add<CpnOptions>(table, "cpn", "the paper's: PCA or rectilinear, whichever has the smaller three silhouettes",
-                    cpn_pose);
-    add<CompositeOptions>(table, "composite", "the best of all by projected area, mirror symmetry and flat sides",
-                          composite_pose);
+    add_turning<CertifiedOptions>(table, "rectilinear", "the pose of R(M): least projected area, certified",
+                                  rectilinear_pose);
+    add_turning<CertifiedOptions>(table, "hull", "the same of the convex hull: least silhouettes of the hull",
+                                  hull_pose);
+    add_turning<BoxOptions>(table, "box", "the axes of the box of least volume found", box_pose);
+    add_turning<SymmetryOptions>(
+        table, "symmetry", "the best mirror plane or axis of revolution, then the best turn about it", symmetry_pose);
+    add_turning<SilhouetteOptions>(table, "silhouette", "least silhouettes of the mesh itself, by search",
+                                   silhouette_pose);
+    add_turning<CpnOptions>(table, "cpn",
+                            "the paper's: PCA or rectilinear, whichever has the smaller three silhouettes", cpn_pose);
+    add_turning<CompositeOptions>(table, "composite",
+                                  "the best of all by projected area, mirror symmetry and flat sides", composite_pose);
     return table;
   }();
   return methods;

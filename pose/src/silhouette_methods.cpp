@@ -10,7 +10,6 @@
 #include "rectilin/pose/summed_silhouette.h"
 #include "rectilin/render/rasterizer.h"
 #include "roundness_of.h"
-#include "working_frame.h"
 
 namespace rectilin::pose {
 namespace {
@@ -59,11 +58,9 @@ void inherit(Pose& pose, const Pose& from) {
 
 }  // namespace
 
-Pose cpn_pose(const Surface& given, const CpnOptions& options) {
-  const Rotation work = working_frame(given);
-  const Surface surface = turned(given, work);
+Pose cpn_pose(const Surface& surface, const CpnOptions& options) {
   const Pose pca = pca_pose(surface);
-  const Pose rectilinear = rectilinear_pose(surface, {.gap = options.gap, .optima = false});
+  const Pose rectilinear = rectilinear_pose(surface, {.gap = options.gap});
   Pose pose;
   pose.candidates = {pca.candidates.front(), rectilinear.candidates.front()};
   double first = 0, second = 0;
@@ -78,8 +75,6 @@ Pose cpn_pose(const Surface& given, const CpnOptions& options) {
   pose.candidates[1].silhouette = pose.candidates[1].score = second;
   const bool take_pca = first < second * (options.pixels ? 1 : 1 - 1e-6);
   inherit(pose, take_pca ? pca : rectilinear);
-  for (PoseCandidate& c : pose.candidates) c.rotation = c.rotation * work;
-  for (Rotation& r : pose.alternatives) r = r * work;
   choose(pose, take_pca ? 0 : 1);
   pose.reason = two_figures("silhouettes %.4f of the surface by PCA, %.4f by rectilinearity", first, second);
   const double margin = std::abs(first - second) / std::max(first, second);
@@ -87,11 +82,9 @@ Pose cpn_pose(const Surface& given, const CpnOptions& options) {
   return pose;
 }
 
-Pose silhouette_pose(const Surface& given, const SilhouetteOptions& options) {
-  const Rotation work = working_frame(given);
-  const Surface surface = turned(given, work);
+Pose silhouette_pose(const Surface& surface, const SilhouetteOptions& options) {
   const SummedSilhouette objective(surface.mesh, options.tolerance);
-  const Pose rectilinear = rectilinear_pose(surface, {.gap = 1e-4, .cells = 20'000, .optima = false});
+  const Pose rectilinear = rectilinear_pose(surface, {.cells = 20'000, .optima = false});
   const std::vector<Rotation> starts = {pca_pose(surface).rotation, rectilinear.rotation};
   std::vector<double> values(starts.size());
   objective.values(starts, values);
@@ -107,7 +100,7 @@ Pose silhouette_pose(const Surface& given, const SilhouetteOptions& options) {
   const auto add = [&](const std::string& name, const Rotation& rotation, double value) {
     PoseCandidate candidate;
     candidate.name = name;
-    candidate.rotation = rotation * work;
+    candidate.rotation = rotation;
     candidate.silhouette = candidate.score = value;
     pose.candidates.push_back(std::move(candidate));
   };
@@ -118,7 +111,7 @@ Pose silhouette_pose(const Surface& given, const SilhouetteOptions& options) {
   choose(pose, 0);
   pose.reason = two_figures("silhouettes %.6f of the surface, %.6f where the search began", evaluator.incumbent().value,
                             std::min(values[0], values[1]));
-  note_roundness(pose, given, convex_hull(given.mesh));
+  note_roundness(pose, surface, convex_hull(surface.mesh));
   return pose;
 }
 

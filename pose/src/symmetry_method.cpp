@@ -8,7 +8,6 @@
 #include "rectilin/measure/projected_area.h"
 #include "rectilin/pose/convex_hull.h"
 #include "roundness_of.h"
-#include "working_frame.h"
 
 namespace rectilin::pose {
 namespace {
@@ -25,9 +24,7 @@ std::pair<int, double> roundest_axis(const Surface& surface, const Mesh& hull, c
 
 }  // namespace
 
-Pose symmetry_pose(const Surface& given, const SymmetryOptions& options) {
-  const Rotation work = working_frame(given);
-  const Surface surface = turned(given, work);
+Pose symmetry_pose(const Surface& surface, const SymmetryOptions& options) {
   const Mesh hull = convex_hull(surface.mesh);
   const ProjectedArea objective(area_vectors(surface.mesh));
   const MirrorDefect defect(surface, hull);
@@ -40,7 +37,6 @@ Pose symmetry_pose(const Surface& given, const SymmetryOptions& options) {
     for (int k = 0; k < 3; ++k)
       candidate.mirror_defects.push_back(defect.through_middle(candidate.rotation.axis(k)).defect);
     candidate.score = score;
-    candidate.rotation = candidate.rotation * work;
     pose.candidates.push_back(std::move(candidate));
   };
   const Rotation principal = pca_pose(surface).rotation;
@@ -53,7 +49,7 @@ Pose symmetry_pose(const Surface& given, const SymmetryOptions& options) {
   char text[96];
   std::snprintf(text, sizeof text, "%s with a defect of %.4f", pose.chosen.c_str(), pose.candidates.front().score);
   pose.reason = text;
-  note_roundness(pose, given, convex_hull(given.mesh), kRoundBody);
+  note_roundness(pose, surface, hull, kRoundBody);
   if (!round && pose.candidates.size() > 1) {
     const double margin = pose.candidates[1].score - pose.candidates[0].score;
     pose.confidence = margin / (margin + 0.1);

@@ -15,8 +15,8 @@ constexpr double kDistinctMoments = 1e-3;
 Rotation working_frame(const Surface& surface) {
   const Eigen::Vector3d values = symmetric_eigenvalues(surface.moments);
   const bool distinct = std::min(values[1] - values[0], values[2] - values[1]) > kDistinctMoments * values[2];
-  const Rotation frame = distinct ? pca_pose(surface).rotation
-                                  : rectilinear_pose(surface, {.gap = 1e-5, .cells = 20'000, .optima = false}).rotation;
+  const Rotation frame =
+      distinct ? pca_pose(surface).rotation : rectilinear_pose(surface, {.cells = 20'000, .optima = false}).rotation;
   return resolve_axes(surface.mesh, frame, AxisRule::kDefinite).rotation;
 }
 
@@ -27,6 +27,13 @@ Surface turned(const Surface& surface, const Rotation& rotation) {
   for (Vector3& n : result.normals) n = r * n;
   result.moments = r * surface.moments * r.transpose();
   return result;
+}
+
+Pose turned_back(Pose pose, const Rotation& rotation) {
+  pose.rotation = pose.rotation * rotation;
+  for (PoseCandidate& candidate : pose.candidates) candidate.rotation = candidate.rotation * rotation;
+  for (Rotation& alternative : pose.alternatives) alternative = alternative * rotation;
+  return pose;
 }
 
 }  // namespace rectilin::pose

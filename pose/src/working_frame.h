@@ -1,7 +1,7 @@
 // A frame to work in that turns with the mesh.
 #pragma once
 
-#include "rectilin/base/rotation.h"
+#include "rectilin/pose/pose.h"
 #include "surface.h"
 
 namespace rectilin::pose {
@@ -14,5 +14,8 @@ Rotation working_frame(const Surface& surface);
 
 /// The surface turned by `rotation`.
 Surface turned(const Surface& surface, const Rotation& rotation);
+
+/// The pose of the surface that was turned by `rotation` before the pose was found.
+Pose turned_back(Pose pose, const Rotation& rotation);
 
 }  // namespace rectilin::pose
