@@ -33,8 +33,10 @@ constexpr double kRound = 0.02;                                          // bodi
 constexpr double kUnsure = 0.02;   // a margin of J at which the confidence is one half
 constexpr double kSamples = 0.01;  // of a mirror defect: below, samples decide
 constexpr std::size_t kSides = 4;  // flat sides that frames are made from
-constexpr double kTie = 1e-3;      // of J, between distinct frames: what samples can tell
+constexpr double kTie = 3e-3;      // of J, between distinct frames: what samples can tell
 constexpr double kEqual = 1e-9;    // of J, between any frames: what rounding may decide
+constexpr double kNear = std::numbers::pi / 180;
+const std::string kCertified = "rectilinear";
 
 /// The turn about axis 2 of the frame that makes the in-plane moments diagonal.
 Rotation planar_principal_axes(const Surface& surface, const Rotation& frame) {
@@ -95,6 +97,10 @@ void score(std::vector<PoseCandidate>& list, const ProjectedArea& objective, con
     c.score = c.projected / least + options.symmetry * (softened(f[0]) + softened(f[1])) - options.flat * *c.flat_share;
   }
   std::ranges::stable_sort(list, {}, &PoseCandidate::score);
+  // Of near frames that samples cannot tell apart the certified one is taken, which is the same after any turn.
+  const auto certified = std::ranges::find(list, kCertified, &PoseCandidate::name);
+  if (certified->score <= list.front().score + kTie && frame_angle(certified->rotation, list.front().rotation) < kNear)
+    std::rotate(list.begin(), certified, certified + 1);
 }
 
 /// Are two frames one answer? If the mesh may turn about an axis of the first, all that share this axis are.
@@ -114,6 +120,7 @@ void judge(Pose& pose) {
     if (distinct) next = std::min(next, c.score);
     const bool round = pose.uniqueness == Uniqueness::kContinuum || pose.uniqueness == Uniqueness::kNone;
     if (round || c.score > best.score + (distinct ? kTie : kEqual)) continue;
+    if (best.name == kCertified && frame_angle(c.rotation, best.rotation) < kNear) continue;
     pose.uniqueness = Uniqueness::kSeveral;
     pose.alternatives.push_back(c.rotation);
   }
@@ -138,8 +145,11 @@ Pose composite_pose(const Surface& surface, const CompositeOptions& options) {
 
   const Bases bases(hull);
   Candidates candidates{surface, defect, bases};
-  candidates.add("rectilinear",
-                 rectilinear_pose(surface, {.gap = options.gap, .cells = 20'000, .optima = false}).rotation);
+  const Pose rectilinear = rectilinear_pose(surface, {.gap = options.gap, .cells = 20'000});
+  candidates.add(kCertified, rectilinear.rotation);
+  int number = 1;
+  for (const Rotation& rotation : rectilinear.alternatives)
+    candidates.add(kCertified + " " + std::to_string(++number), rotation);
   candidates.add("pca", pca_pose(surface).rotation);
   const std::vector<MirrorPlane> planes = mirror_planes(defect, static_cast<std::size_t>(options.planes));
   add_turned(candidates, "mirror", normals_of(planes), mesh_area, hull_area);
