@@ -40,7 +40,7 @@ void add_terms(std::vector<Contestant>& contestants, const TuningPlan& plan) {
     if (there) continue;
     for (const Contestant& c : contestants)
       if (c.label == spec) throw ParameterError("--tune: '" + spec + "' is the label of something else");
-    contestants.push_back({spec, spec, false});
+    contestants.push_back({spec, spec});
   }
 }
 
