@@ -41,6 +41,8 @@ auto as_os_error(const Work& work) {
     throw;
   } catch (const py::error_already_set&) {
     throw;
+  } catch (const py::builtin_exception&) {
+    throw;
   } catch (const std::runtime_error& e) {
     PyErr_SetString(PyExc_OSError, printable(e.what()).c_str());
     throw py::error_already_set();
