@@ -282,7 +282,7 @@ Returns a dict: how many members were added, changed, moved, copied, removed, un
 that has no signature. Raises ParameterError for a database of another descriptor, OSError for one that cannot be
 written.
 
-    >>> rectilin.index(['shape:box', 'shape:torus'], 'shapes.db', descriptor='d2')['added']
+    >>> rectilin.index(['shape:box', 'shape:torus'], 'two.db', descriptor='d2')['added']
     2)");
   m.def(
       "search",
