@@ -20,6 +20,7 @@ void add_convert_command(CLI::App& app, int& status);
 void add_pose_command(CLI::App& app, int& status);
 void add_list_commands(CLI::App& app);
 void add_corpus_commands(CLI::App& app, int& status);
+void add_describe_command(CLI::App& app, int& status);
 void add_search_commands(CLI::App& app, int& status);
 void add_duplicates_command(CLI::App& app, int& status);
 

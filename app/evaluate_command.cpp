@@ -14,7 +14,7 @@ namespace {
 
 struct EvaluateOptions {
   std::string folder, classes, out = "evaluation", tune;
-  std::vector<std::string> descriptors, matrices;
+  std::vector<std::string> descriptors, matrices, lfd;
   std::size_t budget = 1000, folds = 5;
   std::uint64_t seed = 1;
   int threads = 0;
@@ -42,10 +42,12 @@ int evaluate(EvaluateOptions options, const std::string& command_line) {
   evaluation::EvaluationPlan plan;
   if (!options.folder.empty()) plan.folder = options.folder;
   plan.classes = options.classes;
-  if (options.descriptors.empty() && options.matrices.empty() && options.tune.empty())
+  if (options.descriptors.empty() && options.matrices.empty() && options.lfd.empty() && options.tune.empty())
     options.descriptors = {"r, d1, d2, shd, gsmd, gsmd+0.3*shd+0.1*r"};
   plan.contestants = evaluation::parse_contestants(options.descriptors);
-  evaluation::add_matrices(plan.contestants, options.matrices);
+  using Kind = evaluation::Contestant::Kind;
+  evaluation::add_foreign(plan.contestants, options.matrices, Kind::kMatrix);
+  evaluation::add_foreign(plan.contestants, options.lfd, Kind::kLfdFiles);
   evaluation::TuningPlan tuning{options.tune, options.budget, options.folds, options.seed};
   if (!options.tune.empty()) evaluation::add_terms(plan.contestants, tuning);
 
@@ -103,6 +105,12 @@ void add_evaluate_command(CLI::App& app, int& status, int argc, const char* cons
       ->add_option("-m,--matrix", options->matrices,
                    "Distances somebody else computed, [NAME=]FILE.matrix: single precision, row by row, of all models "
                    "or of those that have a file; may be repeated")
+      ->allow_extra_args(false);
+  command
+      ->add_option(
+          "--lfd", options->lfd,
+          "Signatures by the light field descriptor's own program, [NAME=]FOLDER with X.art, .fd, .cir and "
+          ".ecc (or mX.art ...) of each model; 'rectilin describe -d lfd:ntu' writes such, too; may be repeated")
       ->allow_extra_args(false);
   command->add_option("--tune", options->tune,
                       "Tune the weights of such a sum (gsmd+shd+r) for DCG, cross-validated over classes; they go to "

@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
   add_silhouette_command(app, status);
   add_convert_command(app, status);
   add_corpus_commands(app, status);
+  add_describe_command(app, status);
   add_search_commands(app, status);
   add_duplicates_command(app, status);
   add_list_commands(app);

@@ -1,12 +1,12 @@
 // rectilin render: pictures of meshes from directions spread over a sphere.
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <mutex>
 
 #include "commands.h"
 #include "options.h"
+#include "output_names.h"
 #include "rectilin/base/batch.h"
 #include "rectilin/base/printable.h"
 #include "rectilin/base/whole_file.h"
@@ -32,27 +32,6 @@ struct RenderCommand {
   std::string out;
   int threads = 0;
 };
-
-/// Names of folders for the sources: the stem of the file or the text of the shape, without characters that shells or
-/// file systems dislike. A number is added if an earlier source has the same name, ignoring case.
-std::vector<std::string> folder_names(const std::vector<std::string>& sources) {
-  std::map<std::string, int> taken;
-  std::vector<std::string> names;
-  for (const std::string& source : sources) {
-    std::string name = source.starts_with("shape:") ? source.substr(6) : std::filesystem::path(source).stem().string();
-    for (char& c : name)
-      if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.' && !(c & 0x80)) c = '_';
-    if (name.empty() || name.front() == '.') name = "mesh" + name;
-    const auto small = [](std::string text) {
-      for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      return text;
-    };
-    std::string unique = name;
-    for (int i = 2; !taken.emplace(small(unique), 0).second; ++i) unique = name + "_" + std::to_string(i);
-    names.push_back(unique);
-  }
-  return names;
-}
 
 std::vector<std::uint8_t> in_eight_bits(const render::DepthImage& image) {
   std::vector<std::uint8_t> values;
@@ -133,7 +112,7 @@ int run(RenderCommand options) {
 
   const auto limit = limit_threads(options.threads);
   const std::stop_token stop = stop_on_interrupt();
-  const std::vector<std::string> names = folder_names(sources);
+  const std::vector<std::string> names = output_names(sources);
   const Table table({{"mesh", 24}, {"faces", 8}, {"views", 5}});
   std::cout << table.header() << "  folder\n";
   std::size_t failed = 0;

@@ -26,10 +26,7 @@ struct IndexOptions {
 
 int index_folders(const IndexOptions& options) {
   const auto limit = limit_threads(options.threads);
-  std::string descriptor = options.descriptor;
-  if (descriptor.empty())
-    descriptor = std::filesystem::exists(options.out) ? search::Database(options.out).descriptor() : "best";
-  search::Database database(options.out, descriptor);
+  search::Database database(options.out, search::descriptor_for(options.out, options.descriptor));
   search::IndexSummary summary;
   {
     std::unique_ptr<Progress> progress;

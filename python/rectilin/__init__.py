@@ -31,6 +31,7 @@ Measuring     measure, measure_normals, read_normals, verify, rectilinearity, Re
 Posing        pose, poses, resolve_axes, Pose
 Looking       render, shaded, silhouette_area, views
 Retrieving    describe, distance, descriptors
+Searching     index, search, duplicates, Database, Neighbours
 Optimizing    Problem, optimize, optimizers, domain, Run, Evaluator, Domain
 Comparing     compare, Comparison; suites, suite, export, read_traces
 Exceptions    MeshError and ParameterError, both ValueErrors of one line; Exhausted, which ends an optimizer
@@ -42,11 +43,13 @@ same bits for any number of threads, the bits of the command `rectilin`.
 
 from ._rectilin import (
     Comparison,
+    Database,
     Domain,
     Evaluator,
     Exhausted,
     Mesh,
     MeshError,
+    Neighbours,
     ParameterError,
     Pose,
     Problem,
@@ -59,7 +62,9 @@ from ._rectilin import (
     descriptors,
     distance,
     domain,
+    duplicates,
     export,
+    index,
     load,
     measure,
     measure_normals,
@@ -73,6 +78,7 @@ from ._rectilin import (
     render,
     resolve_axes,
     save,
+    search,
     shaded,
     shape,
     shapes,

@@ -246,3 +246,61 @@ def resolve_axes(
 def describe(V: Union[ArrayLike, MeshLike], F: Optional[ArrayLike] = None, *, descriptor: str = "gsmd") -> NDArray[np.uint8]: ...
 def distance(a: NDArray[np.uint8], b: NDArray[np.uint8], *, descriptor: str = "gsmd") -> float: ...
 def descriptors() -> List[Dict[str, Any]]: ...
+
+class Neighbours:
+    names: List[str]
+    members: NDArray[np.int64]
+    distances: Floats
+    def __len__(self) -> int: ...
+
+class Database:
+    file: str
+    descriptor: str
+    names: List[str]
+    sources: List[str]
+    rectilinearity: Floats
+    faces: NDArray[np.int64]
+    size: Floats
+    failed: Dict[str, str]
+    def __init__(self, file: Union[str, os.PathLike[str]]) -> None: ...
+    def __len__(self) -> int: ...
+    def signature(self, member: Union[str, int]) -> NDArray[np.uint8]: ...
+    def search(
+        self,
+        V: Optional[Union[ArrayLike, MeshLike]] = None,
+        F: Optional[ArrayLike] = None,
+        *,
+        like: Optional[Union[str, int]] = None,
+        count: int = 20,
+        keep: Optional[ArrayLike] = None,
+        collection: bool = False,
+        threads: Optional[int] = None,
+    ) -> Neighbours: ...
+
+def index(
+    sources: Union[str, os.PathLike[str], Iterable[Union[str, os.PathLike[str]]]],
+    out: Union[str, os.PathLike[str]],
+    *,
+    descriptor: Optional[str] = None,
+    threads: Optional[int] = None,
+    progress: Optional[Callable[[int, int, str], Any]] = None,
+) -> Dict[str, Any]: ...
+def search(
+    database: Union[Database, str, os.PathLike[str]],
+    V: Optional[Union[ArrayLike, MeshLike]] = None,
+    F: Optional[ArrayLike] = None,
+    *,
+    like: Optional[Union[str, int]] = None,
+    count: int = 20,
+    keep: Optional[ArrayLike] = None,
+    collection: bool = False,
+    threads: Optional[int] = None,
+) -> Neighbours: ...
+def duplicates(
+    database: Union[str, os.PathLike[str]],
+    *,
+    tolerance: float = 0.015,
+    neighbours: int = 10,
+    threads: Optional[int] = None,
+    progress: Optional[Callable[[int, int, str], Any]] = None,
+) -> Dict[str, Any]: ...

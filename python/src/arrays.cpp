@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <limits>
 
+#include "rectilin/base/printable.h"
+
 namespace rectilin::python {
 namespace {
 
@@ -206,7 +208,7 @@ py::object to_python(const Json& json) {
       return result;
     }
     case Json::value_t::string:
-      return py::reinterpret_steal<py::object>(PyUnicode_DecodeFSDefault(json.get_ref<const std::string&>().c_str()));
+      return name_to_python(json.get_ref<const std::string&>());
     case Json::value_t::boolean:
       return py::bool_(json.get<bool>());
     case Json::value_t::number_integer:
@@ -220,10 +222,31 @@ py::object to_python(const Json& json) {
   }
 }
 
+std::string said(py::handle object) {
+  constexpr std::size_t kLongest = 80;  // columns
+  try {
+    return shortened(py::repr(object).cast<std::string>(), kLongest);
+  } catch (const std::exception&) {  // an object that cannot even say what it is
+    return "something of " + std::string(py::str(py::type::of(object)));
+  }
+}
+
+py::str name_to_python(const std::string& name) {
+  PyObject* text = PyUnicode_DecodeFSDefaultAndSize(name.data(), static_cast<py::ssize_t>(name.size()));
+  if (text == nullptr) throw py::error_already_set();
+  return py::reinterpret_steal<py::str>(text);
+}
+
+py::list names_to_python(const std::vector<std::string>& names) {
+  py::list list;
+  for (const std::string& name : names) list.append(name_to_python(name));
+  return list;
+}
+
 std::optional<std::uint64_t> whole_number(py::handle number, const char* name, std::uint64_t least) {
   if (number.is_none()) return std::nullopt;
   const auto refuse = [&] {
-    throw ParameterError(std::string(name) + " is " + std::string(py::repr(number)) + ", not a whole number from " +
+    throw ParameterError(std::string(name) + " is " + said(number) + ", not a whole number from " +
                          std::to_string(least));
   };
   const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(number.ptr()));

@@ -14,6 +14,16 @@
 #include "rectilin/mesh/mesh_view.h"
 #include "rectilin/optim/domain.h"
 
+// In help() whatever is taken as it comes is an object.
+#if PYBIND11_VERSION_HEX < 0x020C0000
+namespace pybind11::detail {
+template <>
+struct handle_type_name<handle> {
+  static constexpr auto name = const_name("object");
+};
+}  // namespace pybind11::detail
+#endif
+
 namespace rectilin::python {
 
 namespace py = pybind11;
@@ -66,6 +76,13 @@ py::array_t<double> to_array(std::size_t count, bool one, const GetMatrix& matri
 py::object to_python(const std::vector<double>& values, bool one);
 
 py::object to_python(const Json& json);
+
+/// What an object is, for errors: its repr() in one line of moderate length.
+std::string said(py::handle object);
+
+/// A name that may be of a file, which need not be UTF-8, as a str.
+py::str name_to_python(const std::string& name);
+py::list names_to_python(const std::vector<std::string>& names);
 
 /// None, or a whole number from `least`; numpy's integers, too. Throws ParameterError with the name.
 std::optional<std::uint64_t> whole_number(py::handle number, const char* name, std::uint64_t least);

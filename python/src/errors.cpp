@@ -1,8 +1,11 @@
 #include "errors.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "rectilin/base/parameters.h"
+#include "rectilin/base/printable.h"
+#include "rectilin/base/system_reason.h"
 #include "rectilin/mesh/mesh.h"
 
 namespace rectilin::python {
@@ -20,13 +23,42 @@ std::string place_of(py::handle trace) {
   return " (" + file + ", line " + std::string(py::str(frame.attr("tb_lineno"))) + ")";
 }
 
+/// A kind of ValueError that says in one line what `Error` says.
+template <class Error>
+void bind_line(py::module_& m, const char* name, const char* doc) {
+  static PyObject* type = nullptr;  // kept for good: the translator has no other place for it
+  type = PyErr_NewExceptionWithDoc(("rectilin." + std::string(name)).c_str(), doc, PyExc_ValueError, nullptr);
+  if (type == nullptr) throw py::error_already_set();
+  m.add_object(name, type);
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      std::rethrow_exception(std::move(thrown));
+    } catch (const Error& e) {
+      PyErr_SetString(type, printable(e.what()).c_str());
+    }
+  });
+}
+
 }  // namespace
 
 void bind_errors(py::module_& m) {
-  py::register_exception<MeshError>(m, "MeshError", PyExc_ValueError).attr("__doc__") =
-      "A mesh that cannot be read, made or measured. One line: file, place, reason.";
-  py::register_exception<ParameterError>(m, "ParameterError", PyExc_ValueError).attr("__doc__") =
-      "A wrong name, setting or value. One line: which, and what would be accepted.";
+  // The command's words: one line, whatever the names of files hold. What is registered last is tried first.
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      std::rethrow_exception(std::move(thrown));
+    } catch (const py::error_already_set&) {
+      throw;
+    } catch (const py::builtin_exception&) {
+      throw;
+    } catch (const std::filesystem::filesystem_error& e) {
+      PyErr_SetString(PyExc_OSError, printable(e.path1().string() + ": " + system_reason(e.code())).c_str());
+    } catch (const std::runtime_error& e) {
+      PyErr_SetString(PyExc_RuntimeError, printable(e.what()).c_str());
+    }
+  });
+  bind_line<MeshError>(m, "MeshError", "A mesh that cannot be read, made or measured. One line: file, place, reason.");
+  bind_line<ParameterError>(m, "ParameterError",
+                            "A wrong name, setting or value. One line: which, and what would be accepted.");
   exhausted = PyErr_NewExceptionWithDoc(
       "rectilin.Exhausted",
       "Nothing is left of a run's budget, or it was stopped. Raised when an optimizer asks on all the same. It ends "

@@ -27,8 +27,14 @@ Evaluator& LentEvaluator::get() const {
 
 Evaluator& LentEvaluator::ask() const {
   Evaluator& evaluator = get();
-  at_work_->asked(thread_);
-  if (!evaluator.exhausted()) return evaluator;
+  if (!evaluator.exhausted()) {
+    at_work_->asked(thread_);
+    return evaluator;
+  }
+  // A search that catches everything and asks again is raised it once more when its next loop begins, where nothing
+  // catches it.
+  constexpr int kPatience = 100;  // refusals
+  if (++refused_ > kPatience) PyThreadState_SetAsyncExc(thread_, exhausted_type().ptr());
   PyErr_SetString(exhausted_type().ptr(), "nothing is left of the budget, or the run was stopped");
   throw py::error_already_set();
 }

@@ -31,6 +31,7 @@ class LentEvaluator {
   const Domain& domain_;
   std::shared_ptr<AtWork> at_work_;
   unsigned long thread_;
+  mutable int refused_ = 0;  ///< times that something was asked for and nothing was left
 };
 
 void bind_evaluator(py::module_& m);

@@ -2,12 +2,11 @@
 
 #include <pybind11/stl.h>
 
-#include <condition_variable>
 #include <map>
 #include <mutex>
 #include <set>
-#include <thread>
 
+#include "beside.h"
 #include "errors.h"
 #include "measure.h"
 #include "mesh.h"
@@ -133,36 +132,6 @@ class Competitors {
   std::vector<laboratory::Entry> entries_;
   std::set<std::string> names_;
 };
-
-/// Calls `work` on a thread of its own and, until it has ended, `look` on this one, every 50 ms, with the GIL.
-template <class Work, class Look>
-void beside(const Work& work, const Look& look) {
-  std::mutex mutex;
-  std::condition_variable ended;
-  bool done = false;
-  std::exception_ptr error;
-  std::thread thread([&] {
-    try {
-      work();
-    } catch (...) {
-      error = std::current_exception();
-    }
-    const std::lock_guard lock(mutex);
-    done = true;
-    ended.notify_all();
-  });
-  for (;;) {
-    {
-      const py::gil_scoped_release release;
-      std::unique_lock lock(mutex);
-      ended.wait_for(lock, std::chrono::milliseconds(50), [&] { return done; });
-      if (done) break;
-    }
-    look();
-  }
-  thread.join();
-  if (error) std::rethrow_exception(error);
-}
 
 struct Comparison {
   std::string folder;

@@ -239,7 +239,7 @@ std::optional<double> positive_number(py::handle number, const char* name) {
   const double value = PyFloat_AsDouble(number.ptr());
   if (PyErr_Occurred() != nullptr) PyErr_Clear();
   else if (std::isfinite(value) && value > 0) return value;
-  throw ParameterError(std::string(name) + " is " + std::string(py::repr(number)) + ", not a positive number");
+  throw ParameterError(std::string(name) + " is " + said(number) + ", not a positive number");
 }
 
 py::dict trace_of(const RunRecord& run) {

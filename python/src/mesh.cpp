@@ -77,7 +77,7 @@ void save(py::handle file, py::handle vertices, py::handle faces, bool binary) {
     }
   }
   if (failure.empty()) return;
-  PyErr_SetString(PyExc_OSError, failure.c_str());
+  PyErr_SetString(PyExc_OSError, printable(failure).c_str());
   throw py::error_already_set();
 }
 
@@ -88,7 +88,18 @@ bool is_source(py::handle given) { return py::isinstance<py::str>(given) || py::
 std::string source_of(py::handle given) {
   if (!is_source(given))
     throw py::type_error("a name of a file is wanted, not " + std::string(py::str(py::type::of(given))));
-  return py::module_::import("os").attr("fsdecode")(given).cast<std::string>();
+  std::string name = py::module_::import("os").attr("fsencode")(given).cast<py::bytes>();
+  if (name.find('\0') != std::string::npos) throw py::value_error("a name of a file with a null character");
+  return name;
+}
+
+std::vector<std::string> sources_of(py::handle given) {
+  if (is_source(given)) return {source_of(given)};
+  if (!py::isinstance<py::iterable>(given))
+    throw py::type_error("names of files are wanted, not " + std::string(py::str(py::type::of(given))));
+  std::vector<std::string> sources;
+  for (const py::handle source : given) sources.push_back(source_of(source));
+  return sources;
 }
 
 GivenMesh::GivenMesh(py::handle vertices, py::handle faces) {
@@ -153,12 +164,13 @@ a copy and without a check.
             return inside(reinterpret_cast<const std::uint32_t*>(triangles.data()), triangles.size(), self);
           },
           "(m, 3) uint32, in the mesh's own memory; read-only.")
-      .def_readonly("name", &OwnMesh::name, "The file or shape as given.")
+      .def_property_readonly(
+          "name", [](const OwnMesh& self) { return name_to_python(self.name); }, "The file or shape as given.")
       .def_property_readonly(
           "report", [](const OwnMesh& self) { return to_python(to_json(self.loaded.report)); },
           "What the reader found and repaired, as counts: see the README's table.")
       .def("__repr__", [](const OwnMesh& self) {
-        return "<rectilin.Mesh '" + self.name + "': " + std::to_string(self.loaded.mesh.vertices.size()) +
+        return "<rectilin.Mesh '" + printable(self.name) + "': " + std::to_string(self.loaded.mesh.vertices.size()) +
                " vertices, " + std::to_string(self.loaded.mesh.triangles.size()) + " faces>";
       });
 
@@ -193,9 +205,12 @@ MeshError if the format cannot hold the mesh, OSError if the file cannot be writ
     True)");
   m.def(
       "sources",
-      [](const std::vector<std::string>& given) {
-        const py::gil_scoped_release release;
-        return expand_folders(given);
+      [](py::handle given) {
+        const std::vector<std::string> names = sources_of(given);
+        return names_to_python([&] {
+          const py::gil_scoped_release release;
+          return expand_folders(names);
+        }());
       },
       py::arg("names"), R"(Replaces folders by the mesh files in and below them, sorted.
 

@@ -43,7 +43,10 @@ class GivenMesh {
 
 /// A str or what os.fspath() makes one.
 bool is_source(py::handle given);
+/// Its bytes, which need not be UTF-8. Throws TypeError, ValueError for a null character.
 std::string source_of(py::handle given);
+/// One, or all that something iterable holds.
+std::vector<std::string> sources_of(py::handle given);
 
 void bind_mesh(py::module_& m);
 

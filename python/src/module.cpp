@@ -8,6 +8,7 @@
 #include "rectilin/base/version.h"
 #include "render.h"
 #include "retrieval.h"
+#include "search.h"
 
 PYBIND11_MODULE(_rectilin, m) {
   using namespace rectilin::python;
@@ -19,6 +20,7 @@ PYBIND11_MODULE(_rectilin, m) {
   bind_render(m);
   bind_pose(m);
   bind_retrieval(m);
+  bind_search(m);
   bind_optim(m);
   bind_laboratory(m);
   bind_suite(m);

@@ -75,9 +75,14 @@ std::vector<retrieval::DescriptorPointer> make_terms(const std::string& descript
   return terms;
 }
 
-DescribedMesh describe_source(const std::string& source, const std::vector<retrieval::DescriptorPointer>& terms) {
+std::string descriptor_for(const fs::path& file, const std::string& wanted) {
+  if (!wanted.empty()) return wanted;
+  return fs::exists(file) ? Database(file).descriptor() : "best";
+}
+
+DescribedMesh describe_mesh(Mesh mesh, const std::vector<retrieval::DescriptorPointer>& terms) {
   const double begin = seconds_of_thread();
-  const retrieval::Model model(load_mesh(source).mesh);
+  const retrieval::Model model(std::move(mesh));
   DescribedMesh described;
   for (const auto& term : terms) described.parts.push_back(term->describe(model));
   Member& m = described.member;
@@ -86,6 +91,13 @@ DescribedMesh describe_source(const std::string& source, const std::vector<retri
   m.rectilinearity = model.rectilinearity();
   m.size = largest_extent(model.mesh());
   m.seconds = seconds_of_thread() - begin;
+  return described;
+}
+
+DescribedMesh describe_source(const std::string& source, const std::vector<retrieval::DescriptorPointer>& terms) {
+  const double begin = seconds_of_thread();
+  DescribedMesh described = describe_mesh(load_mesh(source).mesh, terms);
+  described.member.seconds = seconds_of_thread() - begin;
   return described;
 }
 

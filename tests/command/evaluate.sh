@@ -76,6 +76,30 @@ expect 0 '^ten ' run --matrix ten.matrix --matrix again=first/matrices/d2.matrix
 head -c 12 /dev/zero >bad.matrix
 expect 1 'bad.matrix: has 12 bytes' run --matrix bad.matrix
 
+# Signatures as the light field descriptor's own program has them, written and read: the distances of lfd:ntu.
+mkdir nine; for i in 0 1 2 3 4 5 6 7 8; do cp meshes/m$i.off nine; done
+expect 0 'art,fd,cir,ecc' "$rectilin" describe nine -d 'lfd:ntu' -O theirs
+[ "$(ls theirs | wc -l)" -eq 36 ] && [ "$(stat -c %s theirs/m3.art theirs/m3.fd theirs/m3.cir theirs/m3.ecc | paste -sd,)" = 3500,1000,100,100 ] ||
+  fail "the light field descriptor's files"
+expect 0 '^theirs ' "$rectilin" evaluate meshes -c all.cla -d lfd:ntu --lfd theirs --lfd again=theirs/ -O fields
+cmp -s fields/matrices/theirs.matrix fields/matrices/lfd:ntu.matrix || fail "distances of files read"
+grep -q '"lfd_files": "theirs"' fields/summary.json || fail "the folder in the summary"
+rm theirs/m4.fd
+expect 1 'theirs/m4.fd: ' "$rectilin" evaluate meshes -c all.cla --lfd theirs -O fields
+head -c 99 /dev/zero >theirs/m4.fd
+expect 1 'theirs/m4.fd: has 99 bytes, not 1000' "$rectilin" evaluate meshes -c all.cla --lfd theirs -O fields
+expect 1 'nowhere/m0.art' "$rectilin" evaluate meshes -c all.cla --lfd nowhere -O fields
+
+# Signatures of any descriptor.
+expect 0 ' 64  bytes.m0.signature' "$rectilin" describe meshes/m0.off -d 'd2?bins=16' -O bytes
+expect 0 '"bytes":' "$rectilin" describe meshes/m0.off shape:box -d r --json
+[ "$(wc -l <out)" -eq 2 ] || fail "a line for each mesh"
+expect 2 'folder for the files' "$rectilin" describe meshes/m0.off
+expect 2 "no descriptor 'nothing'" "$rectilin" describe meshes/m0.off -d nothing --json
+expect 1 'none.off: no such file' "$rectilin" describe none.off meshes/m0.off -d r --json
+grep -q m0.off out || fail "a mesh that fails costs only itself"
+expect 2 'all.cla is a file' "$rectilin" describe meshes/m0.off -O all.cla
+
 # Weights are tuned, written and read.
 expect 0 '^ga: DCG' run --tune 'd2+r' --budget 60 --folds 3
 expect 0 '^tuned ' "$rectilin" evaluate meshes -c all.cla -d 'tuned=@scored/weights.json' --out scored

@@ -205,6 +205,19 @@ def test_never_stopping_is_stopped(problem):
     assert run.evaluations == 100 and run.outcome == "budget"
 
 
+def test_catching_everything_is_no_way_on(problem):
+    def stubborn(asked, budget, rng):
+        while True:
+            try:
+                asked.values(rng.normal(size=(50, 4)))
+            except:  # noqa: E722
+                pass
+
+    assert rectilin.optimize(problem, stubborn, budget=500).evaluations == 500
+    done = rectilin.compare([problem], {"stubborn": stubborn}, runs=2, budget=500, out="stubborn")
+    assert [r["evaluations"] for r in done.runs] == [500, 500] and done.failed_runs == 0
+
+
 def test_seconds_end_a_run(problem):
     def forever(asked, budget, rng):
         while True:

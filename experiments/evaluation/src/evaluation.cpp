@@ -10,6 +10,7 @@
 #include "rectilin/laboratory/provenance.h"
 #include "rectilin/laboratory/statistics.h"
 #include "rectilin/retrieval/features.h"
+#include "rectilin/retrieval/lfd_files.h"
 #include "writing.h"
 
 namespace rectilin::evaluation {
@@ -45,6 +46,26 @@ DistanceMatrix read_foreign_matrix(const std::string& file, const Participants& 
   if (fs::file_size(file, ignored) == 4 * all * all && all != left)
     return part_of(retrieval::read_matrix(file, all), who.kept);
   return retrieval::read_matrix(file, left);
+}
+
+/// A model's signature from a folder of somebody else's: MODEL.art or mMODEL.art, as find_collection() has meshes.
+retrieval::Signature read_foreign_lfd(const fs::path& folder, const std::string& model) {
+  return retrieval::read_lfd_files(folder / (fs::exists(folder / (model + ".art")) ? model : "m" + model));
+}
+
+/// Distances, and what one takes.
+void compare_signatures(Result& result, const retrieval::Descriptor& descriptor,
+                        const std::vector<retrieval::Signature>& signatures) {
+  result.bytes = descriptor.bytes();
+  result.distance = descriptor.distance_in_words();
+  result.invariant = descriptor.invariant_to();
+  const std::size_t n = signatures.size();
+  const Clock::time_point begin = Clock::now();
+  const std::size_t sample = std::min<std::size_t>(n > 0 ? n - 1 : 0, 200);  // pairs timed on one thread
+  for (std::size_t i = 0; i < sample; ++i) descriptor.distance(signatures[i], signatures[i + 1]);
+  if (sample > 0) result.compare_seconds = seconds_since(begin) / static_cast<double>(sample);
+  result.matrix = retrieval::symmetric_matrix(
+      n, [&](std::size_t i, std::size_t j) { return descriptor.distance(signatures[i], signatures[j]); });
 }
 
 /// Scores, intervals: everything that follows from the matrix.
@@ -106,7 +127,7 @@ class Run {
     for (const Contestant& contestant : plan_.contestants) {
       if (settings_.stop.stop_requested()) return std::move(evaluation_);
       show("distances by " + contestant.label);
-      evaluation_.results.push_back(contestant.is_matrix ? foreign(contestant, who) : own(contestant, features, who));
+      evaluation_.results.push_back(made(contestant, features, who));
       write_result(out_, evaluation_.results.back(), who.classes);
     }
     show("scores");
@@ -125,7 +146,7 @@ class Run {
   retrieval::Features describe(const retrieval::Collection& collection) {
     std::set<std::string> specs;
     for (const Contestant& c : plan_.contestants) {
-      if (c.is_matrix) continue;
+      if (c.kind != Contestant::Kind::kDescriptor) continue;
       for (const retrieval::Term& term : retrieval::parse_composite(c.text)) specs.insert(term.spec);
     }
     const Clock::time_point begin = Clock::now();
@@ -164,18 +185,30 @@ class Run {
         evaluation_.small_classes.push_back(classes.path(c));
   }
 
-  Result foreign(const Contestant& contestant, const Participants& who) const {
-    Result result{.contestant = contestant};
-    result.matrix = read_foreign_matrix(contestant.text, who);
-    return result;
+  Result made(const Contestant& contestant, const retrieval::Features& features, const Participants& who) const {
+    switch (contestant.kind) {
+      case Contestant::Kind::kMatrix: {
+        Result result{.contestant = contestant};
+        result.matrix = read_foreign_matrix(contestant.text, who);
+        return result;
+      }
+      case Contestant::Kind::kLfdFiles: {
+        std::vector<retrieval::Signature> signatures;
+        for (const std::string& model : who.classes.models)
+          signatures.push_back(read_foreign_lfd(contestant.text, model));
+        Result result{.contestant = contestant};
+        compare_signatures(result, *retrieval::make_descriptor("lfd:ntu"), signatures);
+        return result;
+      }
+      case Contestant::Kind::kDescriptor:
+        break;
+    }
+    return own(contestant, features, who);
   }
 
   Result own(const Contestant& contestant, const retrieval::Features& features, const Participants& who) const {
     Result result{.contestant = contestant};
     const retrieval::DescriptorPointer descriptor = retrieval::make_descriptor(contestant.text);
-    result.bytes = descriptor->bytes();
-    result.distance = descriptor->distance_in_words();
-    result.invariant = descriptor->invariant_to();
     const std::size_t n = who.classes.models.size();
     std::vector<retrieval::Signature> signatures(n);
     for (const retrieval::Term& term : retrieval::parse_composite(contestant.text)) {
@@ -184,12 +217,7 @@ class Run {
       for (std::size_t i = 0; i < n; ++i)
         signatures[i].insert(signatures[i].end(), table.signatures[i].begin(), table.signatures[i].end());
     }
-    const Clock::time_point begin = Clock::now();
-    const std::size_t sample = std::min<std::size_t>(n > 0 ? n - 1 : 0, 200);  // pairs timed on one thread
-    for (std::size_t i = 0; i < sample; ++i) descriptor->distance(signatures[i], signatures[i + 1]);
-    if (sample > 0) result.compare_seconds = seconds_since(begin) / static_cast<double>(sample);
-    result.matrix = retrieval::symmetric_matrix(
-        n, [&](std::size_t i, std::size_t j) { return descriptor->distance(signatures[i], signatures[j]); });
+    compare_signatures(result, *descriptor, signatures);
     return result;
   }
 
@@ -206,7 +234,8 @@ class Run {
 Evaluation run_evaluation(const EvaluationPlan& plan, const fs::path& out, const EvaluationSettings& settings,
                           report::PictureTroubles& troubles) {
   if (plan.contestants.empty()) throw ParameterError("there is nothing to evaluate: no descriptor and no matrix");
-  const bool describes = std::ranges::any_of(plan.contestants, [](const Contestant& c) { return !c.is_matrix; });
+  const bool describes = std::ranges::any_of(
+      plan.contestants, [](const Contestant& c) { return c.kind == Contestant::Kind::kDescriptor; });
   if (describes && !plan.folder) throw ParameterError("descriptors need a folder of meshes");
   Run run(plan, out, settings);
   fs::create_directories(out / "matrices");

@@ -55,13 +55,14 @@ std::vector<Contestant> parse_contestants(const std::vector<std::string>& lists)
   return contestants;
 }
 
-void add_matrices(std::vector<Contestant>& contestants, const std::vector<std::string>& files) {
+void add_foreign(std::vector<Contestant>& contestants, const std::vector<std::string>& files, Contestant::Kind kind) {
   for (const std::string& text : files) {
     const std::size_t equals = text.find('=');
     const std::string file = equals == std::string::npos ? text : text.substr(equals + 1);
-    const std::string label =
-        equals == std::string::npos ? std::filesystem::path(file).stem().string() : text.substr(0, equals);
-    contestants.push_back({label, file, true});
+    const std::string label = equals == std::string::npos
+                                  ? (std::filesystem::path(file) / "").parent_path().stem().string()
+                                  : text.substr(0, equals);
+    contestants.push_back({label, file, kind});
   }
   check_labels(contestants);
 }

@@ -43,7 +43,7 @@ std::string introduction(const Evaluation& e) {
       "(DCG).");
   if (!e.missing.empty())
     text += report::html::paragraph("<b>" + std::to_string(e.missing.size()) + " models have no mesh file:</b> " +
-                            listed(e.missing) + ".");
+                                    listed(e.missing) + ".");
   if (!e.errors.empty()) text += report::html::paragraph("<b>Meshes that failed:</b> " + listed(e.errors) + ".");
   if (!e.losses.empty())
     text += report::html::paragraph("<b>Meshes that are not all that their file holds:</b> " + listed(e.losses) + ".");
@@ -133,11 +133,22 @@ std::string pictures(const std::vector<report::NamedPlot>& plots, const std::fil
   return text.empty() ? text : report::html::heading("Pictures") + text;
 }
 
+std::string what_it_is(const Contestant& c) {
+  switch (c.kind) {
+    case Contestant::Kind::kMatrix:
+      return "matrix " + escape(c.text);
+    case Contestant::Kind::kLfdFiles:
+      return "files of the light field descriptor in " + escape(c.text);
+    case Contestant::Kind::kDescriptor:
+      break;
+  }
+  return escape(c.text);
+}
+
 std::string what_they_are(const Evaluation& e) {
   report::html::Table table({"", "is", "distance", "does not depend on"});
   for (const Result& r : e.results)
-    table.row({escape(r.contestant.label), (r.contestant.is_matrix ? "matrix " : "") + escape(r.contestant.text),
-               escape(r.distance), escape(r.invariant)});
+    table.row({escape(r.contestant.label), what_it_is(r.contestant), escape(r.distance), escape(r.invariant)});
   return report::html::heading("What was compared") + table.text();
 }
 

@@ -101,6 +101,18 @@ void write_result(const fs::path& out, const Result& result, const retrieval::Cl
   write_whole_file(base.string() + ".models", rows);
 }
 
+const char* kind_name(Contestant::Kind kind) {
+  switch (kind) {
+    case Contestant::Kind::kMatrix:
+      return "matrix";
+    case Contestant::Kind::kLfdFiles:
+      return "lfd_files";
+    case Contestant::Kind::kDescriptor:
+      break;
+  }
+  return "descriptor";
+}
+
 Json summary(const Evaluation& evaluation, const Json& provenance) {
   Json results = Json::array();
   for (const Result& r : evaluation.results) {
@@ -109,7 +121,7 @@ Json summary(const Evaluation& evaluation, const Json& provenance) {
       intervals[named_measures()[m].name] = {r.intervals[m].low, r.intervals[m].high};
     for (const double p : r.scores.precision) precision.push_back(std::isnan(p) ? Json(nullptr) : Json(p));
     results.push_back({{"label", r.contestant.label},
-                       {r.contestant.is_matrix ? "matrix" : "descriptor", r.contestant.text},
+                       {kind_name(r.contestant.kind), r.contestant.text},
                        {"bytes", r.bytes},
                        {"distance", r.distance},
                        {"invariant_to", r.invariant},

@@ -35,12 +35,12 @@ std::string sum_of(const std::vector<std::string>& specs, const std::vector<doub
 
 void add_terms(std::vector<Contestant>& contestants, const TuningPlan& plan) {
   for (const std::string& spec : terms_of(plan)) {
-    const bool there =
-        std::ranges::any_of(contestants, [&](const Contestant& c) { return !c.is_matrix && c.text == spec; });
+    const bool there = std::ranges::any_of(
+        contestants, [&](const Contestant& c) { return c.kind == Contestant::Kind::kDescriptor && c.text == spec; });
     if (there) continue;
     for (const Contestant& c : contestants)
       if (c.label == spec) throw ParameterError("--tune: '" + spec + "' is the label of something else");
-    contestants.push_back({spec, spec, false});
+    contestants.push_back({spec, spec});
   }
 }
 
@@ -50,7 +50,7 @@ TuningOutcome tune_composite(const TuningPlan& plan, const Evaluation& evaluatio
   std::vector<retrieval::DistanceMatrix> scaled;  // as a composite scales its terms
   for (const std::string& spec : specs)
     for (const Result& result : evaluation.results)
-      if (!result.contestant.is_matrix && result.contestant.text == spec) {
+      if (result.contestant.kind == Contestant::Kind::kDescriptor && result.contestant.text == spec) {
         scaled.push_back(result.matrix);
         const double typical = retrieval::make_descriptor(spec)->typical_distance();
         for (float& distance : scaled.back().values()) distance = static_cast<float>(distance / typical);

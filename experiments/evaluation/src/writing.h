@@ -23,6 +23,9 @@ std::vector<report::NamedPlot> figures(const Evaluation& evaluation);
 std::string page(const Evaluation& evaluation, const std::vector<report::NamedPlot>& plots,
                  const std::filesystem::path& out, const Json& provenance);
 
+/// "descriptor", "matrix" or "lfd_files".
+const char* kind_name(Contestant::Kind kind);
+
 /// x in percent with one digit behind the point; a dash if it is not a number.
 std::string percent(double x);
 

@@ -61,12 +61,16 @@ ExperimentOutcome run_experiment(const Experiment& experiment, const Json& setti
     names.push_back(plot.name);
     pictures.push_back({{"name", plot.name}, {"caption", plot.caption}, {"width", plot.plot.width()}});
   }
-  const Json all = {{"experiment", experiment.name}, {"title", experiment.help},
-                    {"says", result.says},           {"settings", settings},
-                    {"seed", context.seed},          {"gap", context.gap},
-                    {"meshes", context.meshes},      {"data", result.data},
-                    {"errors", result.errors},       {"left_out", context.losses->lines()},
-                    {"pictures", pictures},          {"provenance", laboratory::provenance(command_line)}};
+  Json all = {{"experiment", experiment.name}, {"title", experiment.help},
+              {"says", result.says},           {"settings", settings},
+              {"seed", context.seed},          {"gap", context.gap},
+              {"meshes", context.meshes},      {"data", result.data},
+              {"errors", result.errors},       {"left_out", context.losses->lines()},
+              {"pictures", pictures},          {"provenance", laboratory::provenance(command_line)}};
+  if (!result.table.empty()) {
+    all["table"] = result.table;
+    all["table_says"] = result.table_says;
+  }
   // File names may be in any encoding: what is not UTF-8 is replaced.
   write_whole_file(folder / (experiment.name + ".json"), to_text(all, 1) + '\n');
   return {result.says, result.errors, context.losses->lines(), report::draw_all(folder, names)};

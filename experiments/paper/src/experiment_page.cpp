@@ -23,6 +23,20 @@ std::string picture(const Json& about, const fs::path& folder) {
   return report::html::picture(name + ".svg", caption, files, about.at("width"));
 }
 
+std::string table_of(const Json& experiment) {
+  std::string text;
+  const Json table = experiment.value("table", Json::array());
+  if (table.empty()) return text;
+  const auto cells = [](const Json& row) {
+    std::vector<std::string> list;
+    for (const Json& cell : row) list.push_back(escape(cell.get<std::string>()));
+    return list;
+  };
+  report::html::Table html(cells(table.front()));
+  for (std::size_t i = 1; i < table.size(); ++i) html.row(cells(table[i]));
+  return html.text() + paragraph(escape(experiment.value("table_says", "")));
+}
+
 /// Everything that is needed to repeat an experiment.
 Json record(const Json& experiment) {
   Json all;
@@ -37,12 +51,13 @@ std::string section(const Json& experiment, const fs::path& folder) {
   for (const Json& about : experiment.at("pictures")) pictures += picture(about, folder);
   std::string text = "<h2 id=\"" + escape(name) + "\">" + escape(name) + ": " + escape(title) + "</h2>\n" +
                      paragraph(escape(experiment.at("says").get<std::string>())) + report::html::side_by_side(pictures);
+  text += table_of(experiment);
   for (const Json& error : experiment.at("errors")) text += paragraph(escape(error.get<std::string>()));
   for (const Json& loss : experiment.value("left_out", Json::array()))
     text += paragraph("Not all of " + escape(loss.get<std::string>()));
   return text + report::html::details("Settings, command, machine, versions",
-                              "<pre>" + escape(to_text(record(experiment), 2)) + "</pre>\n" +
-                                  paragraph("All numbers: " + link(name + ".json", name + ".json")));
+                                      "<pre>" + escape(to_text(record(experiment), 2)) + "</pre>\n" +
+                                          paragraph("All numbers: " + link(name + ".json", name + ".json")));
 }
 
 std::string introduction() {

@@ -36,8 +36,8 @@ struct TableSettings {
 
 struct ScoredRow {
   Row row;
-  retrieval::Scores scores;  ///< empty for cited rows
-  retrieval::Interval dcg;   ///< 95 % interval
+  retrieval::Scores scores;                        ///< empty for cited rows
+  std::array<retrieval::Interval, 4> intervals{};  ///< 95 %, from a bootstrap over classes; of what PaperScores has
   std::size_t bytes = 0;
   double describe_seconds = 0, compare_seconds = 0;
 };
@@ -53,7 +53,7 @@ struct ScoredTable {
 /// Throws Stopped.
 ScoredTable score(const std::vector<Row>& rows, const TableSettings& settings, const ExperimentContext& context);
 
-/// Our scores beside the paper's, with a plot of the DCG.
+/// Our scores and their intervals beside the paper's, with a plot of the DCG.
 ExperimentResult present(const std::string& name, const std::string& title, const ScoredTable& table);
 
 }  // namespace rectilin::paper::tables

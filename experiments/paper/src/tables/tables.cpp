@@ -37,7 +37,7 @@ ExperimentResult precision_recall(const tables::ScoredTable& table) {
   }
   result.says = "on " + table.collection + ": R improves " + std::to_string(better) + " of " + std::to_string(half) +
                 " descriptors in DCG (paper: all)";
-  result.plots.push_back({"fig22", "Precision and recall of each descriptor alone and with R.",
+  result.plots.push_back({"fig22", "Precision and recall of each descriptor alone (dashed) and with R.",
                           report::Plot("Precision and recall", std::move(data), panels, 3)});
   return result;
 }

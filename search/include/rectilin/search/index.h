@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,14 @@ struct DescribedMesh {
   Parts parts;
 };
 
-/// Reads a mesh and describes it by every term. Throws MeshError.
+/// Describes a mesh by every term. Throws MeshError.
+DescribedMesh describe_mesh(Mesh mesh, const std::vector<retrieval::DescriptorPointer>& terms);
+
+/// Reads a mesh and describes it.
 DescribedMesh describe_source(const std::string& source, const std::vector<retrieval::DescriptorPointer>& terms);
+
+/// What a database is opened with: `wanted` or, if that is empty, the descriptor of the file, "best" if there is none.
+std::string descriptor_for(const std::filesystem::path& file, const std::string& wanted);
 
 /// The terms' descriptors, without weights.
 std::vector<retrieval::DescriptorPointer> make_terms(const std::string& descriptor);

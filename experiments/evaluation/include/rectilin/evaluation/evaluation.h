@@ -17,11 +17,16 @@
 
 namespace rectilin::evaluation {
 
-/// A row of the tables: a descriptor, or a matrix that somebody else made.
+/// A row of the tables: a descriptor, or what somebody else's program made.
 struct Contestant {
+  enum class Kind {
+    kDescriptor,
+    kMatrix,    ///< distances
+    kLfdFiles,  ///< signatures of the light field descriptor, see retrieval::read_lfd_files()
+  };
   std::string label;  ///< unique
-  std::string text;   ///< for retrieval::make_descriptor(), or the matrix's file
-  bool is_matrix = false;
+  std::string text;   ///< for retrieval::make_descriptor(), the matrix's file, or the folder of the signatures
+  Kind kind = Kind::kDescriptor;
 };
 
 /// Reads descriptors separated by commas or blanks, each `[LABEL=]DESCRIPTOR`, or `[LABEL=]@FILE` for a file with
@@ -29,11 +34,12 @@ struct Contestant {
 /// made and for labels that are there twice.
 std::vector<Contestant> parse_contestants(const std::vector<std::string>& lists);
 
-/// Adds matrices, each `[LABEL=]FILE`; the file's name without its extension is the label if there is none.
-void add_matrices(std::vector<Contestant>& contestants, const std::vector<std::string>& files);
+/// Adds matrices or folders of signatures, each `[LABEL=]FILE`; the file's name without its extension is the label if
+/// there is none.
+void add_foreign(std::vector<Contestant>& contestants, const std::vector<std::string>& files, Contestant::Kind kind);
 
 struct EvaluationPlan {
-  std::optional<std::filesystem::path> folder;  ///< of meshes; may be left out if all contestants are matrices
+  std::optional<std::filesystem::path> folder;  ///< of meshes; may be left out if no contestant is a descriptor
   std::filesystem::path classes;                ///< the .cla file
   std::vector<Contestant> contestants;
 };

@@ -51,11 +51,13 @@ struct Sheet {
 /// The result of an experiment. It depends on settings, meshes and seed alone, except for times where times are
 /// the subject.
 struct ExperimentResult {
-  std::string says;                           ///< one line: the outcome, and what the paper reports
-  Json data = Json::array();                  ///< every number measured, for the JSON file
-  std::vector<report::NamedPlot> plots = {};  ///< their names begin with the name of the experiment
-  std::vector<Sheet> sheets = {};             ///< so do theirs
-  std::vector<std::string> errors = {};       ///< a line for each mesh that could not be measured
+  std::string says;                                  ///< one line: the outcome, and what the paper reports
+  Json data = Json::array();                         ///< every number measured, for the JSON file
+  std::vector<report::NamedPlot> plots = {};         ///< their names begin with the name of the experiment
+  std::vector<Sheet> sheets = {};                    ///< so do theirs
+  std::vector<std::vector<std::string>> table = {};  ///< for the page; the first row is its header
+  std::string table_says = {};                       ///< what its numbers are
+  std::vector<std::string> errors = {};              ///< a line for each mesh that could not be measured
 };
 
 /// An experiment. `make` runs it; it throws ParameterError for settings that are not accepted, and Stopped if the
