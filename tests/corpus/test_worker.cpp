@@ -37,6 +37,6 @@ corpus::WorkResult work(const LoadedMesh& mesh, const Json& settings) {
 
 int main() {
   return corpus::run_worker(3, [](const corpus::Task& task, std::optional<double>) -> corpus::Work {
-    return [settings = task.settings](const LoadedMesh& mesh) { return work(mesh, settings); };
+    return [settings = task.settings](const NamedSource&, const LoadedMesh& mesh) { return work(mesh, settings); };
   });
 }

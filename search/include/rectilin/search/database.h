@@ -75,8 +75,12 @@ class Database {
   void commit();
 
  private:
+  friend class DatabaseAccess;
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
+
+/// Is the file such a database? False for one that cannot be read.
+bool is_database(const std::filesystem::path& file);
 
 }  // namespace rectilin::search
