@@ -1,5 +1,6 @@
 #include "rectilin/search/database.h"
 
+#include <chrono>
 #include <stdexcept>
 
 #include "database_access.h"
@@ -192,6 +193,16 @@ void Database::rename(const Member& member) {
 void Database::remove(std::int64_t id) {
   for (const char* sql : {"DELETE FROM signatures WHERE member = ?1", "DELETE FROM members WHERE id = ?1"})
     Statement(implementation_->database, sql).bind(1, id).run();
+}
+
+void Database::begin_run(const std::string& shard) {
+  corpus::Database& file = implementation_->database;
+  const double now = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+  Statement finished(file, "SELECT count(*) FROM members WHERE status > 0");
+  finished.step();
+  corpus::set_fact(file, "shard", shard);
+  corpus::set_fact(file, "started", std::to_string(now));
+  corpus::set_fact(file, "finished_before", std::to_string(finished.integer(0)));
 }
 
 void Database::begin() { implementation_->open = std::make_unique<corpus::Transaction>(implementation_->database); }

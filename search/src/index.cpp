@@ -67,6 +67,7 @@ class IndexUpdate final : public corpus::JobHandler {
     // in which they are done.
     for (IndexJob& job : jobs_)
       if (job.member.id == 0) job.member.id = database_.put(job.member, nullptr);
+    database_.begin_run(options_.shard.to_string());
     database_.commit();
   }
 
