@@ -164,7 +164,7 @@ void add_compare_command(CLI::App& app, int& status, int argc, const char* const
   command->add_option("--from", options->from,
                       "Make the page from a store, which was written by 'compare -o FILE.db' or merged from several");
   add_threads_option(*command, options->threads, "each run has one to itself");
-  add_corpus_options(*command, options->corpus, "");
+  add_corpus_options(*command, options->corpus, "", "; here of the runs, with a store, like all that follows");
   command->add_option("--seconds", options->seconds, "Seconds at most, per run (with a store; default: no limit)")
       ->check(positive_number());
   command->footer(

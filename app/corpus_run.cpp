@@ -18,14 +18,15 @@ void CorpusArguments::check() const {
     throw ParameterError("--shard, --memory, --retry and --done need a store: -O FILE.db");
 }
 
-void add_corpus_options(CLI::App& command, CorpusArguments& arguments, const std::string& out) {
+void add_corpus_options(CLI::App& command, CorpusArguments& arguments, const std::string& out,
+                        const std::string& note) {
   if (!out.empty())
     command.add_option(out, arguments.store,
                        "Store FILE.db to write results to instead of printing them. Meshes that are in it are not done "
                        "again");
   command
       .add_option("--shard", arguments.shard,
-                  "Part I/N of the meshes, 0 <= I < N, chosen by their names; with a store, like all that follows")
+                  "Part I/N of the meshes, 0 <= I < N, chosen by their names" + note)
       ->capture_default_str();
   command
       .add_option("--memory", arguments.memory, "Memory at most, per mesh, in bytes or with a unit (500M, 2G)")

@@ -23,8 +23,9 @@ struct CorpusArguments {
   void check() const;
 };
 
-/// Adds the options of shards and limits, and that of the store by these names, if any.
-void add_corpus_options(CLI::App& command, CorpusArguments& arguments, const std::string& out);
+/// Adds the options of shards and limits; before them that of the store, by these names, if there are any. `note` says
+/// when they can be used.
+void add_corpus_options(CLI::App& command, CorpusArguments& arguments, const std::string& out, const std::string& note);
 
 /// Adds --seconds for a command that has no such option of its own.
 void add_seconds_option(CLI::App& command, std::optional<double>& seconds);

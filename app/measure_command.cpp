@@ -211,7 +211,7 @@ void add_measure_command(CLI::App& app, int& status) {
                    "Seconds at most, per mesh (default: no limit); with a store, reading included")
       ->check(positive_number());
   add_threads_option(*command, options->threads, "the answer is the same for any");
-  add_corpus_options(*command, options->corpus, "-O,--out");
+  add_corpus_options(*command, options->corpus, "-O,--out", "; with a store, like all that follows");
   command->add_flag("-j,--json", options->json, "One JSON object a line instead of the table");
   command->footer(
       "The angles printed are the paper's alpha, beta, gamma (eqs. 35-37) in degrees, of the rotation that takes\n"

@@ -219,7 +219,7 @@ void add_pose_command(CLI::App& app, int& status) {
   command->add_option("--sheet", options->sheet,
                       "SVG file for a contact sheet: three views of each, 500 meshes at most");
   add_threads_option(*command, options->threads, "the answer is the same for any");
-  add_corpus_options(*command, options->corpus, "-o,-O,--out");
+  add_corpus_options(*command, options->corpus, "-o,-O,--out", "; with a store, like all that follows");
   add_seconds_option(*command, options->seconds);
   command->add_flag("-j,--json", options->json, "One JSON object a line instead of the table");
   command->footer(

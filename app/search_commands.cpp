@@ -92,6 +92,11 @@ struct Loaded {
   search::NearestSearch search;
 };
 
+/// Why a member has no signature.
+std::string why_without(const search::Member& member) {
+  return member.status == search::MemberStatus::kLeft ? "it is still to be described" : member.error;
+}
+
 struct Query {
   std::string name, source;
   search::Parts parts;
@@ -131,7 +136,7 @@ int search_database(const SearchOptions& options) {
     const auto found = std::ranges::find(loaded.members, name, &search::Member::name);
     if (found == loaded.members.end()) {
       const auto row = database.find(name);
-      complain(options.database + ": no member '" + name + "'" + (row ? " with a signature: " + row->error : ""));
+      complain(options.database + ": no member '" + name + "'" + (row ? " with a signature: " + why_without(*row) : ""));
       failed = true;
       continue;
     }
@@ -184,7 +189,7 @@ void add_index(CLI::App& app, int& status) {
                       "What shapes are compared by, as 'rectilin evaluate' takes it; fixed when the database is made "
                       "(default: best)");
   add_threads_option(*command, options->threads, "signatures are the same for any");
-  add_corpus_options(*command, options->corpus, "");
+  add_corpus_options(*command, options->corpus, "", "");
   add_seconds_option(*command, options->seconds);
   command->footer(
       "Files that are in the database and have the same bytes are not read again; moved files are recognised by them,\n"

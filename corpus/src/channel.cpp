@@ -89,9 +89,4 @@ std::optional<Message> Channel::next() {
   return message;
 }
 
-bool Channel::take(Kind kind) {
-  if (buffer_.size() < kHeader) fill();
-  return buffer_.size() >= kHeader && static_cast<Kind>(buffer_[kHeader - 1]) == kind && next();
-}
-
 }  // namespace rectilin::corpus

@@ -53,8 +53,6 @@ class Channel {
   bool fill();
   /// The next message that has arrived completely.
   std::optional<Message> next();
-  /// Takes the next message that has arrived if it is of this kind; does not wait.
-  bool take(Kind kind);
 
  private:
   int socket_;

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <deque>
 #include <fstream>
 #include <new>
 
@@ -41,6 +42,36 @@ class Worker {
  public:
   Worker(Channel& channel, Work work, bool ask) : channel_(channel), work_(std::move(work)), ask_(ask) {}
 
+  void run() {
+    for (;;) {
+      if (!channel_.fill()) return;
+      while (const auto message = channel_.next())
+        if (!put_aside(*message)) return;
+      if (waiting_.empty()) {
+        const auto message = channel_.receive();
+        if (!message || !put_aside(*message)) return;
+        continue;
+      }
+      const Waiting next = std::move(waiting_.front());
+      waiting_.pop_front();
+      if (!(next.cancelled ? channel_.send(Kind::kSkipped, "") : do_mesh(next.mesh))) return;
+    }
+  }
+
+ private:
+  struct Waiting {
+    NamedSource mesh;
+    bool cancelled = false;
+  };
+
+  /// Keeps a mesh that comes while another is in work; returns false for a message that is about the one in work.
+  bool put_aside(const Message& message) {
+    if (message.kind == Kind::kMesh) waiting_.push_back({mesh_in(message.content)});
+    // If no mesh waits, the one that is not wanted any more was begun.
+    else if (message.kind == Kind::kCancel && !waiting_.empty()) waiting_.back().cancelled = true;
+    return message.kind == Kind::kMesh || message.kind == Kind::kCancel;
+  }
+
   /// Does one mesh; returns false if the worker should end.
   bool do_mesh(const NamedSource& job) {
     std::string error;
@@ -51,7 +82,7 @@ class Worker {
       if (ask_) {
         if (!channel_.send(Kind::kRead, to_text(about))) return false;
         auto answer = channel_.receive();
-        while (answer && answer->kind == Kind::kCancel) answer = channel_.receive();  // too late: it was begun
+        while (answer && put_aside(*answer)) answer = channel_.receive();
         if (!answer) return false;
         if (answer->kind == Kind::kKnown) return true;
         about = nullptr;
@@ -73,7 +104,6 @@ class Worker {
     return channel_.send(Kind::kError, error);
   }
 
- private:
   /// Reads the mesh unless it is the one of the last job, as when many jobs are about one mesh.
   void read(const std::string& source) {
     if (source == source_) return;
@@ -87,7 +117,8 @@ class Worker {
   Channel& channel_;
   const Work work_;
   const bool ask_;
-  std::string source_, digest_;
+  std::deque<Waiting> waiting_;
+  std::string source_, digest_;  ///< of the mesh that was read last
   LoadedMesh loaded_;
 };
 
@@ -101,12 +132,7 @@ int run_worker(int socket, const MakeWork& make_work) {
   const auto seconds = json["seconds"].is_null() ? std::nullopt : std::optional(json["seconds"].get<double>());
   Worker worker(channel, make_work({json["task"], json["settings"]}, seconds), json["ask"]);
   if (!json["memory"].is_null()) limit_memory(json["memory"]);
-  while (const auto message = channel.receive()) {
-    if (message->kind == Kind::kCancel) continue;  // it came after its mesh was done
-    if (message->kind != Kind::kMesh) break;
-    if (!(channel.take(Kind::kCancel) ? channel.send(Kind::kSkipped, "") : worker.do_mesh(mesh_in(message->content))))
-      break;
-  }
+  worker.run();
   return 0;
 }
 

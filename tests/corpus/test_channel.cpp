@@ -2,6 +2,7 @@
 
 #include <sys/socket.h>
 
+#include <memory>
 #include <string>
 
 #include "support/catch.h"
@@ -18,17 +19,21 @@ TEST_CASE("a mesh is sent byte for byte", "[corpus]") {
   mesh_in("999 999 x");
 }
 
-TEST_CASE("messages come in their order, and the next one can be looked at first", "[corpus]") {
+TEST_CASE("messages come in their order, whole, and none after the end", "[corpus]") {
   int ends[2];
   REQUIRE(socketpair(AF_UNIX, SOCK_STREAM, 0, ends) == 0);
-  Channel here(ends[0]), there(ends[1]);
-  CHECK_FALSE(there.take(Kind::kCancel));
-  REQUIRE(here.send(Kind::kMesh, "first"));
-  REQUIRE(here.send(Kind::kCancel, ""));
-  REQUIRE(here.send(Kind::kMesh, "second"));
-  CHECK_FALSE(there.take(Kind::kCancel));  // it is not the next
+  auto here = std::make_unique<Channel>(ends[0]);
+  Channel there(ends[1]);
+  CHECK_FALSE(there.next());
+  const std::string bytes("a\0b", 3);
+  REQUIRE(here->send(Kind::kMesh, "first"));
+  REQUIRE(here->send(Kind::kCancel, ""));
+  REQUIRE(here->send(Kind::kResult, bytes));
   CHECK(there.receive()->content == "first");
-  CHECK(there.take(Kind::kCancel));
-  CHECK_FALSE(there.take(Kind::kCancel));
-  CHECK(there.receive()->content == "second");
+  CHECK(there.next()->kind == Kind::kCancel);
+  CHECK(there.receive()->content == bytes);
+  CHECK(there.fill());
+  CHECK_FALSE(there.next());
+  here.reset();
+  CHECK_FALSE(there.receive());
 }
