@@ -132,7 +132,7 @@ done
 cmp whole-page/meshes.bits parts-page/meshes.bits || fail 'the same bounds'
 cut -d, -f1-10 whole-page/runs.csv >a; cut -d, -f1-10 parts-page/runs.csv >b; cmp a b || fail 'the same table'
 expect 1 'rows of the plan are not in the store yet' "$rectilin" compare --from runs1.db -O part-page
-expect 2 'of .compare. with .*"budget":300.*"budget":301' "${c[@]::10}" -b 301 -o runs0.db
+expect 2 'of .compare. with .*"budget":300.*"budget":301' "${c[@]::9}" -b 301 -o runs0.db
 expect 2 "of 'measure', not of 'compare'" "${c[@]}" -o all.db
 expect 2 "not of 'compare'" "$rectilin" compare --from all.db -O no-page
 expect 2 'none can be given' "$rectilin" compare shape:box --from runs.db -O no-page
