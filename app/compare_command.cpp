@@ -122,7 +122,8 @@ int compare(CompareOptions options, const std::string& command_line) {
 void add_compare_command(CLI::App& app, int& status, int argc, const char* const* argv) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand("compare", "Compare optimizers and write a page with the result");
-  command->add_option("source", options->sources, "Mesh files, folders of them, built-in shapes (shape:NAME?key=value)");
+  command->add_option("source", options->sources,
+                      "Mesh files, folders of them, built-in shapes (shape:NAME?key=value)");
   command
       ->add_option(
           "-o,--optimizers", options->optimizers,

@@ -32,8 +32,7 @@ int merge_stores(const std::vector<std::string>& stores, const std::string& targ
     if (search::is_database(file) != shapes && std::filesystem::exists(file))
       throw ParameterError(file.string() + " and " + files.front().string() +
                            ": a store of results and a database of shapes cannot be merged");
-  const corpus::MergeSummary summary =
-      shapes ? search::merge_databases(files, target) : corpus::merge(files, target);
+  const corpus::MergeSummary summary = shapes ? search::merge_databases(files, target) : corpus::merge(files, target);
   for (const corpus::Conflict& conflict : summary.first)
     complain(conflict.name + " in " + conflict.store + ": " + conflict.reason + "; the target keeps its own");
   std::cout << target << ": " << summary.rows << " meshes, " << summary.added << " added, " << summary.conflicts
@@ -97,7 +96,10 @@ void add_merge(CLI::App& app, int& status) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("merge", "Merge stores or databases of shapes, such as those of shards");
-  command->add_option("store", options->stores, "Stores, written by 'measure', 'pose' or 'compare' with -o FILE.db, or databases of 'index'")->required();
+  command
+      ->add_option("store", options->stores,
+                   "Stores, written by 'measure', 'pose' or 'compare' with -o FILE.db, or databases of 'index'")
+      ->required();
   command->add_option("-o,-O,--out", options->target, "Store to add them to; made if it does not exist")->required();
   command->footer(
       "If several stores have a mesh, the row that says most is kept; merging twice changes nothing. Results that\n"

@@ -24,12 +24,9 @@ void add_corpus_options(CLI::App& command, CorpusArguments& arguments, const std
     command.add_option(out, arguments.store,
                        "Store FILE.db to write results to instead of printing them. Meshes that are in it are not done "
                        "again");
-  command
-      .add_option("--shard", arguments.shard,
-                  "Part I/N of the meshes, 0 <= I < N, chosen by their names" + note)
+  command.add_option("--shard", arguments.shard, "Part I/N of the meshes, 0 <= I < N, chosen by their names" + note)
       ->capture_default_str();
-  command
-      .add_option("--memory", arguments.memory, "Memory at most, per mesh, in bytes or with a unit (500M, 2G)")
+  command.add_option("--memory", arguments.memory, "Memory at most, per mesh, in bytes or with a unit (500M, 2G)")
       ->transform(CLI::AsSizeValue(false));
   command.add_flag("--retry", arguments.retry, "Do meshes again that failed, took too long or took too much memory");
   command.add_option("--done", arguments.done, "Other files of results, whose meshes need not be done again")

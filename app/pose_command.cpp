@@ -186,8 +186,9 @@ int pose_meshes(const PoseOptions& options) {
       cells.push_back(
           {outcome.value->pictures[k], fs::path(sources[i]).filename().string() + " from " + "xyz"[k], values[k]});
   };
-  const std::size_t done = for_each_in_order<Posed>(sources, [&](std::size_t i) { return pose_source(poser, sources[i], files[i], !options.sheet.empty()); },
-                                                    deliver, {.stop = stop, .on_progress = progress.shown()});
+  const std::size_t done = for_each_in_order<Posed>(
+      sources, [&](std::size_t i) { return pose_source(poser, sources[i], files[i], !options.sheet.empty()); }, deliver,
+      {.stop = stop, .on_progress = progress.shown()});
   progress.clear();
   if (!options.sheet.empty()) write_whole_file(options.sheet, report::contact_sheet(cells, 6).svg);
   if (done < sources.size()) complain("stopped: " + std::to_string(sources.size() - done) + " meshes have no pose");
@@ -200,11 +201,13 @@ void add_pose_command(CLI::App& app, int& status) {
   auto options = std::make_shared<PoseOptions>();
   CLI::App* command = app.add_subcommand("pose", "Find the pose of meshes, and write them in it");
   command
-      ->add_option("source", options->sources,
-                   "Mesh files, folders and archives of them, lists (.txt, .csv), built-in shapes (shape:NAME?key=value)")
+      ->add_option(
+          "source", options->sources,
+          "Mesh files, folders and archives of them, lists (.txt, .csv), built-in shapes (shape:NAME?key=value)")
       ->required();
   command
-      ->add_option("-m,--method", options->settings.method, "Method, with settings: composite?planes=12 (see 'rectilin poses')")
+      ->add_option("-m,--method", options->settings.method,
+                   "Method, with settings: composite?planes=12 (see 'rectilin poses')")
       ->capture_default_str();
   command
       ->add_option("-a,--axes", options->settings.axes,

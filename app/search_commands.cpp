@@ -43,7 +43,8 @@ int index_folders(const IndexOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     summary = search::update_index(
         database, options.sources,
-        {stop_on_interrupt(), [&](std::size_t done, std::size_t total, const std::string& text) {
+        {stop_on_interrupt(),
+         [&](std::size_t done, std::size_t total, const std::string& text) {
            if (!progress) progress = std::make_unique<Progress>(total);
            const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
            const double left = done > 0 ? spent / static_cast<double>(done) * static_cast<double>(total - done) : NAN;
@@ -136,7 +137,8 @@ int search_database(const SearchOptions& options) {
     const auto found = std::ranges::find(loaded.members, name, &search::Member::name);
     if (found == loaded.members.end()) {
       const auto row = database.find(name);
-      complain(options.database + ": no member '" + name + "'" + (row ? " with a signature: " + why_without(*row) : ""));
+      complain(options.database + ": no member '" + name + "'" +
+               (row ? " with a signature: " + why_without(*row) : ""));
       failed = true;
       continue;
     }
@@ -195,7 +197,8 @@ void add_index(CLI::App& app, int& status) {
       "Files that are in the database and have the same bytes are not read again; moved files are recognised by them,\n"
       "and members of the given folders that are gone are removed. After Ctrl-C or any other end the same command "
       "goes\n"
-      "on. Files that fail are rows that say why; they cost the exit status (1). Databases of shards are put together by\n"
+      "on. Files that fail are rows that say why; they cost the exit status (1). Databases of shards are put together "
+      "by\n"
       "'rectilin merge'.\n"
       "Examples: rectilin index parts/ -o parts.db; rectilin search parts.db bracket.stl\n"
       "          rectilin index abc.zip -o abc-3.db --shard 3/16 --seconds 60 --memory 4G");

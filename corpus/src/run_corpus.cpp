@@ -94,16 +94,14 @@ class StoreFiller final : public JobHandler {
     row.finished = unix_time();
     store_.put(row);
     if (options_.on_row) options_.on_row(row, partial.left_out);
-    (status == RowStatus::kDone     ? summary_.done
-     : status == RowStatus::kFailed ? summary_.failed
-                                    : summary_.limited)++;
+    (status == RowStatus::kDone ? summary_.done : status == RowStatus::kFailed ? summary_.failed : summary_.limited)++;
   }
 
   const std::span<const NamedSource> jobs_;
   Store& store_;
   const CorpusOptions& options_;
-  std::map<std::size_t, PartialRow> partial_;            ///< of the jobs in work that have been read
-  std::map<std::string, std::size_t> in_work_;           ///< jobs by the digests of their meshes
+  std::map<std::size_t, PartialRow> partial_;               ///< of the jobs in work that have been read
+  std::map<std::string, std::size_t> in_work_;              ///< jobs by the digests of their meshes
   std::map<std::string, std::vector<PartialRow>> waiting_;  ///< meshes equal to one in work, by digest
   CorpusSummary summary_;
 };

@@ -7,6 +7,7 @@
 #include "store_access.h"
 
 namespace rectilin::corpus {
+
 StoreStatus status_of(const std::filesystem::path& file) {
   Store store(file);
   Database& database = StoreAccess::database(store);

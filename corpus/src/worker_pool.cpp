@@ -140,8 +140,7 @@ class WorkerPool {
                                over ? limit_text("seconds") : std::string()});
       }
       case Kind::kError:
-        return finish(worker,
-                      {RowStatus::kFailed, nullptr, {}, error_about(jobs_[job.index].source, message.content)});
+        return finish(worker, {RowStatus::kFailed, nullptr, {}, error_about(jobs_[job.index].source, message.content)});
       case Kind::kNoMemory:
         worker.process.reset();
         return finish(worker, {RowStatus::kLimited, nullptr, {}, limit_text("memory")});
@@ -196,8 +195,7 @@ class WorkerPool {
     }
     // A worker that ends before its first message would do so for every mesh: the mesh is not to blame.
     if (!worker.heard && how.starts_with("exit")) throw std::runtime_error("a worker process does not start: " + how);
-    finish(worker,
-           {RowStatus::kLimited, nullptr, {}, jobs_[job.index].source + ": the program crashed (" + how + ")"});
+    finish(worker, {RowStatus::kLimited, nullptr, {}, jobs_[job.index].source + ": the program crashed (" + how + ")"});
   }
 
   std::string limit_text(const std::string& limit) const {

@@ -97,7 +97,8 @@ Database::Database(const fs::path& file, const std::string& text) {
   if (!corpus::is_empty(database)) corpus::check_kind(database, kSearchFile);  // before anything is changed
   // No file beside this one once a change is done, and each done change outlives the program.
   database.execute("PRAGMA journal_mode = TRUNCATE; PRAGMA synchronous = NORMAL; PRAGMA cache_size = -65536");
-  corpus::make_tables(database, kSearchFile, {{"descriptor", descriptor}, {"settings", settings}, {"version", version()}});
+  corpus::make_tables(database, kSearchFile,
+                      {{"descriptor", descriptor}, {"settings", settings}, {"version", version()}});
   implementation_->check();
   if (implementation_->descriptor != descriptor)
     throw ParameterError(file.string() + ": holds signatures of '" + implementation_->descriptor + "', not of '" +

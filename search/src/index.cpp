@@ -154,7 +154,8 @@ class IndexUpdate final : public corpus::JobHandler {
       const Member& member = jobs_[k].member;
       if (member.digest.empty()) fail(k, jobs_[k].error);
       else if (by_digest_.contains(member.digest)) copy(k);
-      else if (const auto [same, is_first] = first.emplace(member.digest, k); !is_first) copies_[same->second].push_back(k);
+      else if (const auto [same, is_first] = first.emplace(member.digest, k); !is_first)
+        copies_[same->second].push_back(k);
       else {
         to_do.push_back({member.name, member.source, {}});
         index_of_.push_back(k);

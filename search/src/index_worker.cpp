@@ -21,8 +21,7 @@ corpus::Work make_index_work(const Json& settings) {
     const DescribedMesh described = describe_mesh(loaded.mesh, terms);
     const Member& m = described.member;
     corpus::WorkResult done;
-    done.result = {
-        {"faces", m.faces}, {"rectilinearity", m.rectilinearity}, {"size", m.size}, {"seconds", m.seconds}};
+    done.result = {{"faces", m.faces}, {"rectilinearity", m.rectilinearity}, {"size", m.size}, {"seconds", m.seconds}};
     for (const retrieval::Signature& part : described.parts) done.bytes.append(part.begin(), part.end());
     return done;
   };

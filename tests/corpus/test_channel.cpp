@@ -1,10 +1,9 @@
-#include "channel.h"
-
 #include <sys/socket.h>
 
 #include <memory>
 #include <string>
 
+#include "channel.h"
 #include "support/catch.h"
 
 using namespace rectilin;

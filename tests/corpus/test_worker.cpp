@@ -1,4 +1,5 @@
-// A worker for the tests: its task's settings say which numbers of faces make it hang, be slow, crash or fill its memory.
+// A worker for the tests: its task's settings say which numbers of faces make it hang, be slow, crash or fill its
+// memory.
 #include <csignal>
 #include <thread>
 #include <vector>

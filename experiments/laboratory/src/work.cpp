@@ -62,8 +62,8 @@ std::optional<Json> ComparisonWork::search_reference(const Problem& problem, std
   if (record.outcome == RunRecord::Outcome::kStopped) return std::nullopt;
   if (!record.error.empty()) throw std::runtime_error(problem.name + ": " + record.error);
   const AreaVectors& vectors = problem.mesh.vectors;
-  Json line = {{"faces", problem.mesh.faces}, {"directions", vectors.size()}, {"area", vectors.area()},
-               {"objective", plan_.objective}, {"merit", record.merit},       {"upper", nullptr}};
+  Json line = {{"faces", problem.mesh.faces},  {"directions", vectors.size()}, {"area", vectors.area()},
+               {"objective", plan_.objective}, {"merit", record.merit},        {"upper", nullptr}};
   line.update(to_json(record));
   return line;
 }

@@ -18,8 +18,8 @@ struct IndexOptions {
   corpus::Shard shard = {};                 ///< only the members of this part, by their names
   bool retry = false;                       ///< describe files again that failed before
   std::vector<std::filesystem::path> done;  ///< other databases: files that they have with the same bytes are skipped
-  /// Describe in worker processes, so that a mesh that hangs, crashes or fills the memory is a file that failed. Without
-  /// them, meshes are described in threads of this program and without limits.
+  /// Describe in worker processes, so that a mesh that hangs, crashes or fills the memory is a file that failed.
+  /// Without them, meshes are described in threads of this program and without limits.
   std::optional<corpus::WorkerOptions> workers = {};
 };
 

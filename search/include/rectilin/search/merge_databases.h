@@ -13,7 +13,6 @@ namespace rectilin::search {
 /// bytes of a file, or another signature, under one name are a conflict. Merging the same database again changes
 /// nothing; one is added as a whole or not at all. Throws ParameterError if the databases are of different descriptors,
 /// std::runtime_error if one cannot be read or written.
-corpus::MergeSummary merge_databases(std::span<const std::filesystem::path> files,
-                                     const std::filesystem::path& target);
+corpus::MergeSummary merge_databases(std::span<const std::filesystem::path> files, const std::filesystem::path& target);
 
 }  // namespace rectilin::search
