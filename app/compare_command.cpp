@@ -2,14 +2,16 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "commands.h"
+#include "compare_store.h"
+#include "corpus_run.h"
 #include "options.h"
 #include "rectilin/base/printable.h"
 #include "rectilin/laboratory/comparison.h"
 #include "rectilin/mesh/source.h"
 #include "rectilin/optim/adapters/all_optimizers.h"
-#include "rectilin/pose/summed_silhouette.h"
 #include "terminal.h"
 
 namespace rectilin::app {
@@ -20,8 +22,10 @@ struct CompareOptions {
   std::vector<std::string> optimizers;
   std::vector<std::string> domains = {"covering"};
   laboratory::Plan plan;
-  std::string out = "comparison";
+  std::string out = "comparison", from;
   int threads = 0;
+  std::optional<double> seconds;
+  CorpusArguments corpus;
 };
 
 /// Can the optimizer work on an objective that offers nothing but values?
@@ -30,10 +34,8 @@ bool asks_for_values(const Registry& registry, std::string_view spec) {
   return !needs.needs_cuts && !needs.needs_smooth && !needs.needs_turns;
 }
 
-/// The search for the best known value where nothing can be proved; and the relative width to which silhouettes
-/// are computed.
+/// The search for the best known value where nothing can be proved.
 constexpr const char* kReference = "super-fibonacci?count=2000+nelder-mead";
-constexpr double kSilhouetteWidth = 1e-7;
 
 /// The optimizers that are compared if none are named: those of this list that the build has and, unless `all`, that
 /// need only values.
@@ -50,7 +52,25 @@ std::vector<std::string> default_optimizers(const Registry& registry, bool all) 
   return present;
 }
 
+/// Takes the store out of the values of -o, which ends in .db; the others are optimizers.
+void take_store(CompareOptions& options) {
+  std::erase_if(options.optimizers, [&](const std::string& value) {
+    if (!is_store_name(value)) return false;
+    if (!options.corpus.store.empty()) throw ParameterError("-o: more than one store");
+    options.corpus.store = value;
+    return true;
+  });
+}
+
 int compare(CompareOptions options, const std::string& command_line) {
+  take_store(options);
+  if (!options.from.empty()) {
+    if (!options.sources.empty() || !options.optimizers.empty() || !options.corpus.store.empty())
+      throw ParameterError("--from takes meshes and optimizers from the store; none can be given");
+    return compare_from_store(options.from, options.out, command_line);
+  }
+  if (options.sources.empty()) throw ParameterError("no source: give meshes, or a store with --from");
+  options.corpus.check();
   const Registry& registry = all_optimizers();
   laboratory::Plan& plan = options.plan;
   plan.meshes = expand_folders(options.sources);
@@ -58,6 +78,12 @@ int compare(CompareOptions options, const std::string& command_line) {
   if (!plan.proves() && plan.certificate == laboratory::Plan().certificate) plan.certificate = kReference;
   plan.entries = laboratory::parse_entries(options.optimizers, options.domains, registry);
 
+  if (!options.corpus.store.empty()) {
+    laboratory::check(plan, registry);
+    return work_into_store(compare_jobs(plan), compare_task(plan), options.corpus,
+                           worker_options(options.corpus, options.seconds, options.threads), false, "runs");
+  }
+  if (options.seconds) throw ParameterError("--seconds needs a store: -o FILE.db");
   const auto limit = limit_threads(options.threads);
 
   laboratory::ComparisonOutcome outcome;
@@ -72,9 +98,7 @@ int compare(CompareOptions options, const std::string& command_line) {
       loaded = load_mesh(name);
       return laboratory::compared_mesh(loaded);
     };
-    settings.objective = [&](const std::string& name) -> std::shared_ptr<const Objective> {
-      return std::make_shared<pose::SummedSilhouette>(loaded.mesh, kSilhouetteWidth, name);
-    };
+    settings.objective = [&](const std::string& name) { return other_objective(loaded, name); };
     settings.on_progress = [&](const laboratory::ComparisonProgress& now) {
       if (!progress) progress = std::make_unique<Progress>(plan.meshes.size() * plan.entries.size() * plan.runs);
       progress->show(now.done, time_left(now.seconds_left) + now.text);
@@ -98,14 +122,15 @@ int compare(CompareOptions options, const std::string& command_line) {
 void add_compare_command(CLI::App& app, int& status, int argc, const char* const* argv) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand("compare", "Compare optimizers and write a page with the result");
-  command->add_option("source", options->sources, "Mesh files, folders of them, built-in shapes (shape:NAME?key=value)")
-      ->required();
+  command->add_option("source", options->sources,
+                      "Mesh files, folders of them, built-in shapes (shape:NAME?key=value)");
   command
       ->add_option(
           "-o,--optimizers", options->optimizers,
           "Optimizers separated by commas or blanks; may be repeated. Each as 'rectilin optimizers' shows it, with "
           "parameters (ga?population=100), as a pipeline (grid+nelder-mead), and with the box it searches after an @ "
-          "(ga@paper, ga@zone). NAME= in front gives it another name. Default: a selection")
+          "(ga@paper, ga@zone). NAME= in front gives it another name. Default: a selection. Or a store, FILE.db, to "
+          "write runs to, without a page")
       ->allow_extra_args(false);
   command
       ->add_option("-k,--runs", options->plan.runs,
@@ -137,7 +162,12 @@ void add_compare_command(CLI::App& app, int& status, int argc, const char* const
       ->add_option("-c,--certificate", options->plan.certificate,
                    "Optimizer that proves bounds of R for each mesh; gaps are measured from them")
       ->capture_default_str();
+  command->add_option("--from", options->from,
+                      "Make the page from a store, which was written by 'compare -o FILE.db' or merged from several");
   add_threads_option(*command, options->threads, "each run has one to itself");
+  add_corpus_options(*command, options->corpus, "", "; here of the runs, with a store, like all that follows");
+  command->add_option("--seconds", options->seconds, "Seconds at most, per run (with a store; default: no limit)")
+      ->check(positive_number());
   command->footer(
       "First bounds of R are proved for each mesh; then every optimizer gets the same number of evaluations on the\n"
       "same random rotations. Finished runs are kept: after Ctrl-C (exit status 1) the same command resumes where it\n"
@@ -146,7 +176,9 @@ void add_compare_command(CLI::App& app, int& status, int argc, const char* const
       "JSON; OUT/ioh is for IOHanalyzer. The plots need gnuplot.\n"
       "Examples: rectilin compare shape:pyramid shape:blob --runs 5 --budget 1000\n"
       "          rectilin compare meshes/ --optimizers 'ga, ga?encoding=gray, random' --out gray\n"
-      "          rectilin compare chair.off --optimizers ga,grid --domains paper,covering,zone");
+      "          rectilin compare chair.off --optimizers ga,grid --domains paper,covering,zone\n"
+      "          rectilin compare meshes/ -o ga,grid -o part-3.db --shard 3/16\n"
+      "          rectilin merge part-*.db -o all.db; rectilin compare --from all.db --out page");
   command->callback([options, &status, argc, argv] { status = compare(*options, quoted_command_line(argc, argv)); });
 }
 

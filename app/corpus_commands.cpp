@@ -4,12 +4,15 @@
 #include <memory>
 
 #include "commands.h"
-#include "corpus_measure.h"
+#include "corpus_tasks.h"
 #include "options.h"
 #include "rectilin/corpus/export_store.h"
 #include "rectilin/corpus/merge.h"
 #include "rectilin/corpus/status.h"
 #include "rectilin/corpus/worker.h"
+#include "rectilin/search/database.h"
+#include "rectilin/search/merge_databases.h"
+#include "rectilin/search/status.h"
 #include "terminal.h"
 
 namespace rectilin::app {
@@ -24,7 +27,12 @@ std::string duration(double seconds) {
 
 int merge_stores(const std::vector<std::string>& stores, const std::string& target) {
   const std::vector<std::filesystem::path> files(stores.begin(), stores.end());
-  const corpus::MergeSummary summary = corpus::merge(files, target);
+  const bool shapes = search::is_database(files.front());
+  for (const auto& file : files)
+    if (search::is_database(file) != shapes && std::filesystem::exists(file))
+      throw ParameterError(file.string() + " and " + files.front().string() +
+                           ": a store of results and a database of shapes cannot be merged");
+  const corpus::MergeSummary summary = shapes ? search::merge_databases(files, target) : corpus::merge(files, target);
   for (const corpus::Conflict& conflict : summary.first)
     complain(conflict.name + " in " + conflict.store + ": " + conflict.reason + "; the target keeps its own");
   std::cout << target << ": " << summary.rows << " meshes, " << summary.added << " added, " << summary.conflicts
@@ -50,7 +58,7 @@ int show_status(const std::vector<std::string>& stores, bool check) {
   double longest = 0;
   for (const std::string& store : stores) {
     try {
-      const corpus::StoreStatus s = corpus::status_of(store);
+      const corpus::StoreStatus s = search::is_database(store) ? search::status_of(store) : corpus::status_of(store);
       const bool has_rate = s.rate > 0;
       std::cout << table.row({store, s.shard.empty() ? "-" : s.shard, s.running ? "running" : "",
                               std::to_string(s.done), std::to_string(s.failed), std::to_string(s.limited),
@@ -87,8 +95,11 @@ void add_merge(CLI::App& app, int& status) {
     std::string target;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("merge", "Merge stores, such as those of shards");
-  command->add_option("store", options->stores, "Stores, written by 'rectilin measure -o FILE.db'")->required();
+  CLI::App* command = app.add_subcommand("merge", "Merge stores or databases of shapes, such as those of shards");
+  command
+      ->add_option("store", options->stores,
+                   "Stores, written by 'measure', 'pose' or 'compare' with -o FILE.db, or databases of 'index'")
+      ->required();
   command->add_option("-o,-O,--out", options->target, "Store to add them to; made if it does not exist")->required();
   command->footer(
       "If several stores have a mesh, the row that says most is kept; merging twice changes nothing. Results that\n"

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "commands.h"
-#include "corpus_measure.h"
+#include "corpus_run.h"
 #include "measure_printer.h"
 #include "options.h"
 #include "rectilin/base/whole_file.h"
@@ -103,8 +103,9 @@ int run_into_store(const MeasureCommand& command) {
   if (command.json || !command.proof.empty()) throw ParameterError("--json and --proof cannot be used with a store");
   options_of(command);  // throws for wrong options before any workers are started
   const Budget& budget = command.budget;
-  return work_into_store(named_sources(command.sources), corpus_task(command), command.corpus,
-                         budget.limits_seconds() ? std::optional(budget.seconds) : std::nullopt, command.threads);
+  const auto seconds = budget.limits_seconds() ? std::optional(budget.seconds) : std::nullopt;
+  return work_into_store(expand_sources(named_sources(command.sources)), corpus_task(command), command.corpus,
+                         worker_options(command.corpus, seconds, command.threads));
 }
 
 /// Text that says how far a slow search is.
@@ -141,7 +142,7 @@ int run(const MeasureCommand& command) {
   if (command.normals && !(command.proof.empty() && command.corpus.store.empty()))
     throw ParameterError("--normals does not go with --proof, which is about a mesh, nor with a store");
   if (!command.corpus.store.empty()) return run_into_store(command);
-  if (command.corpus.is_used()) throw ParameterError("--shard, --memory, --retry and --done need a store: -O FILE.db");
+  command.corpus.check();
   const std::vector<std::string> sources = expand_folders(named_sources(command.sources));
   if (sources.empty()) throw MeshError("the list of files is empty");
   if (!command.proof.empty()) check_proof(command.proof, sources);
@@ -210,7 +211,7 @@ void add_measure_command(CLI::App& app, int& status) {
                    "Seconds at most, per mesh (default: no limit); with a store, reading included")
       ->check(positive_number());
   add_threads_option(*command, options->threads, "the answer is the same for any");
-  add_corpus_options(*command, options->corpus);
+  add_corpus_options(*command, options->corpus, "-O,--out", "; with a store, like all that follows");
   command->add_flag("-j,--json", options->json, "One JSON object a line instead of the table");
   command->footer(
       "The angles printed are the paper's alpha, beta, gamma (eqs. 35-37) in degrees, of the rotation that takes\n"

@@ -8,16 +8,15 @@
 #include <set>
 
 #include "commands.h"
+#include "corpus_run.h"
 #include "options.h"
+#include "poser.h"
 #include "rectilin/base/batch.h"
 #include "rectilin/base/whole_file.h"
-#include "rectilin/measure/area_vectors.h"
 #include "rectilin/mesh/mesh_report.h"
 #include "rectilin/mesh/source.h"
-#include "rectilin/pose/axes.h"
 #include "rectilin/pose/json.h"
 #include "rectilin/pose/pose.h"
-#include "rectilin/pose/summed_silhouette.h"
 #include "rectilin/pose/views.h"
 #include "rectilin/report/contact_sheet.h"
 #include "terminal.h"
@@ -26,37 +25,18 @@ namespace rectilin::app {
 namespace {
 
 namespace fs = std::filesystem;
-using pose::AxisRule;
 
-constexpr double kSilhouettes = 1e-4;     // relative width of the areas in the table
 constexpr std::size_t kSheetLimit = 500;  // largest number of meshes on a contact sheet
 
 struct PoseOptions {
   std::vector<std::string> sources;
-  std::string method = "composite";
-  std::string axes = "free";
+  PoseSettings settings;
   std::string write, format = "off", sheet;
   int threads = 0;
   bool json = false;
+  std::optional<double> seconds;
+  CorpusArguments corpus;
 };
-
-struct Posed {
-  pose::Pose pose;
-  bool resolved = true;
-  double area = 0;
-  MeshReport report;
-  std::string file;                     ///< where the posed mesh was written
-  std::array<std::string, 3> pictures;  ///< set if there is to be a contact sheet
-};
-
-const std::vector<std::pair<std::string, AxisRule>> kRules = {{"free", AxisRule::kFree},
-                                                              {"ordered", AxisRule::kOrdered},
-                                                              {"pca4", AxisRule::kOrdered},
-                                                              {"definite", AxisRule::kDefinite}};
-
-AxisRule rule_of(const std::string& name) {
-  return std::ranges::find(kRules, name, &std::pair<std::string, AxisRule>::first)->second;
-}
 
 /// The file to write for each source: `target` itself for a single source if it has the extension of a mesh, otherwise
 /// a file in that folder.
@@ -93,54 +73,6 @@ void check_targets(const std::vector<std::string>& targets, const std::vector<st
     }
 }
 
-class Poser {
- public:
-  explicit Poser(const PoseOptions& options)
-      : options_(options), method_(pose::pose_methods().make(options.method)), rule_(rule_of(options.axes)) {}
-
-  Posed operator()(const std::string& source, const std::string& target) const {
-    const LoadedMesh loaded = load_mesh(source);
-    const Mesh& mesh = loaded.mesh;
-    Posed posed;
-    posed.report = loaded.report;
-    posed.pose = method_(mesh);
-    const pose::Axes axes = pose::resolve_axes(mesh, posed.pose.rotation, rule_);
-    follow(posed.pose, axes.rotation);
-    posed.resolved = axes.resolved;
-    posed.area = area_vectors(mesh).area();
-    const pose::SummedSilhouette silhouette(mesh, kSilhouettes);
-    for (pose::PoseCandidate& candidate : posed.pose.candidates)
-      if (!candidate.silhouette) {
-        double value = 0;
-        silhouette.values({&candidate.rotation, 1}, {&value, 1});
-        candidate.silhouette = value;
-      }
-    if (!options_.sheet.empty()) posed.pictures = pose::three_views(mesh, posed.pose.rotation);
-    if (!target.empty()) {
-      write_mesh(target, pose::normalized(mesh, posed.pose));
-      posed.file = target;
-    }
-    return posed;
-  }
-
- private:
-  /// Renames the frame's axes; the free one keeps its place in space.
-  static void follow(pose::Pose& pose, const Rotation& rotation) {
-    if (pose.free_axis >= 0) {
-      const Vector3 free = pose.rotation.axis(pose.free_axis);
-      int best = 0;
-      for (int k = 1; k < 3; ++k)
-        if (std::abs(rotation.axis(k).dot(free)) > std::abs(rotation.axis(best).dot(free))) best = k;
-      pose.free_axis = best;
-    }
-    pose.rotation = rotation;
-  }
-
-  const PoseOptions& options_;
-  pose::PoseMethod method_;
-  AxisRule rule_;
-};
-
 std::string uniqueness(const Posed& posed) {
   const pose::Pose& pose = posed.pose;
   switch (pose.uniqueness) {
@@ -154,6 +86,17 @@ std::string uniqueness(const Posed& posed) {
       return "no pose";
   }
   return "";
+}
+
+Posed pose_source(const Poser& poser, const std::string& source, const std::string& target, bool pictures) {
+  const LoadedMesh loaded = load_mesh(source);
+  Posed posed = poser(loaded);
+  if (pictures) posed.pictures = pose::three_views(loaded.mesh, posed.pose.rotation);
+  if (!target.empty()) {
+    write_mesh(target, pose::normalized(loaded.mesh, posed.pose));
+    posed.file = target;
+  }
+  return posed;
 }
 
 class Printer {
@@ -202,8 +145,19 @@ class Printer {
   Table table_;
 };
 
+int pose_into_store(const PoseOptions& options) {
+  if (options.json || !options.write.empty() || !options.sheet.empty())
+    throw ParameterError("--json, --write and --sheet cannot be used with a store");
+  const Poser check(options.settings);  // throws for wrong options before any workers are started
+  return work_into_store(expand_sources(options.sources), pose_task(options.settings), options.corpus,
+                         worker_options(options.corpus, options.seconds, options.threads));
+}
+
 int pose_meshes(const PoseOptions& options) {
-  const Poser poser(options);
+  if (!options.corpus.store.empty()) return pose_into_store(options);
+  options.corpus.check();
+  if (options.seconds) throw ParameterError("--seconds needs a store: -O FILE.db");
+  const Poser poser(options.settings);
   const std::vector<std::string> sources = expand_folders(options.sources);
   if (sources.empty()) throw MeshError("the list of files is empty");
   const std::vector<std::string> files = targets(options, sources);
@@ -232,8 +186,9 @@ int pose_meshes(const PoseOptions& options) {
       cells.push_back(
           {outcome.value->pictures[k], fs::path(sources[i]).filename().string() + " from " + "xyz"[k], values[k]});
   };
-  const std::size_t done = for_each_in_order<Posed>(sources, [&](std::size_t i) { return poser(sources[i], files[i]); },
-                                                    deliver, {.stop = stop, .on_progress = progress.shown()});
+  const std::size_t done = for_each_in_order<Posed>(
+      sources, [&](std::size_t i) { return pose_source(poser, sources[i], files[i], !options.sheet.empty()); }, deliver,
+      {.stop = stop, .on_progress = progress.shown()});
   progress.clear();
   if (!options.sheet.empty()) write_whole_file(options.sheet, report::contact_sheet(cells, 6).svg);
   if (done < sources.size()) complain("stopped: " + std::to_string(sources.size() - done) + " meshes have no pose");
@@ -246,14 +201,16 @@ void add_pose_command(CLI::App& app, int& status) {
   auto options = std::make_shared<PoseOptions>();
   CLI::App* command = app.add_subcommand("pose", "Find the pose of meshes, and write them in it");
   command
-      ->add_option("source", options->sources,
-                   "Mesh files (.off .obj .ply .stl), folders of them, built-in shapes (shape:NAME?key=value)")
+      ->add_option(
+          "source", options->sources,
+          "Mesh files, folders and archives of them, lists (.txt, .csv), built-in shapes (shape:NAME?key=value)")
       ->required();
   command
-      ->add_option("-m,--method", options->method, "Method, with settings: composite?planes=12 (see 'rectilin poses')")
+      ->add_option("-m,--method", options->settings.method,
+                   "Method, with settings: composite?planes=12 (see 'rectilin poses')")
       ->capture_default_str();
   command
-      ->add_option("-a,--axes", options->axes,
+      ->add_option("-a,--axes", options->settings.axes,
                    "Order and directions of the axes: free (as near to the given ones as can be), ordered or pca4 (by "
                    "second moments, x the longest), definite (x and y also point to the larger half of the area)")
       ->check(CLI::IsMember({"free", "ordered", "pca4", "definite"}))
@@ -265,6 +222,8 @@ void add_pose_command(CLI::App& app, int& status) {
   command->add_option("--sheet", options->sheet,
                       "SVG file for a contact sheet: three views of each, 500 meshes at most");
   add_threads_option(*command, options->threads, "the answer is the same for any");
+  add_corpus_options(*command, options->corpus, "-o,-O,--out", "; with a store, like all that follows");
+  add_seconds_option(*command, options->seconds);
   command->add_flag("-j,--json", options->json, "One JSON object a line instead of the table");
   command->footer(
       "The table: the candidate taken, its projected area P and its three silhouettes over the surface's area S, the\n"
@@ -274,7 +233,8 @@ void add_pose_command(CLI::App& app, int& status) {
       "A file that has no pose costs its own row and the exit status (1).\n"
       "Examples: rectilin pose chair.off\n"
       "          rectilin pose meshes/ --write posed --axes definite --sheet posed.svg\n"
-      "          rectilin pose --method cpn --json meshes/ > poses.jsonl");
+      "          rectilin pose --method cpn --json meshes/ > poses.jsonl\n"
+      "          rectilin pose abc.zip -o abc-poses.db --seconds 60 --memory 4G");
   command->callback([options, &status] { status = pose_meshes(*options); });
 }
 

@@ -6,9 +6,11 @@
 #include <memory>
 
 #include "commands.h"
+#include "corpus_run.h"
 #include "options.h"
 #include "rectilin/base/whole_file.h"
 #include "rectilin/mesh/mesh_io.h"
+#include "rectilin/search/describe.h"
 #include "rectilin/search/diffusion.h"
 #include "rectilin/search/index.h"
 #include "rectilin/search/nearest.h"
@@ -22,10 +24,16 @@ struct IndexOptions {
   std::vector<std::string> sources;
   std::string out, descriptor;
   int threads = 0;
+  std::optional<double> seconds;
+  CorpusArguments corpus;
 };
 
 int index_folders(const IndexOptions& options) {
-  const auto limit = limit_threads(options.threads);
+  search::IndexOptions how;
+  how.shard = corpus::Shard::parse(options.corpus.shard);
+  how.retry = options.corpus.retry;
+  how.done.assign(options.corpus.done.begin(), options.corpus.done.end());
+  how.workers = worker_options(options.corpus, options.seconds, options.threads);
   search::Database database(options.out, search::descriptor_for(options.out, options.descriptor));
   search::IndexSummary summary;
   {
@@ -33,17 +41,21 @@ int index_folders(const IndexOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     summary = search::update_index(
         database, options.sources,
-        {stop_on_interrupt(), [&](std::size_t done, std::size_t total, const std::string& text) {
+        {stop_on_interrupt(),
+         [&](std::size_t done, std::size_t total, const std::string& text) {
            if (!progress) progress = std::make_unique<Progress>(total);
            const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
            const double left = done > 0 ? spent / static_cast<double>(done) * static_cast<double>(total - done) : NAN;
            progress->show(done, time_left(left) + text);
-         }});
+         }},
+        how);
   }
   for (const std::string& error : summary.errors) complain(error);
   std::cout << options.out << ": " << summary.added << " added, " << summary.changed << " changed, " << summary.moved
             << " moved, " << summary.copied << " copies, " << summary.removed << " removed, " << summary.unchanged
-            << " unchanged, " << summary.errors.size() << " failed\n";
+            << " unchanged, " << summary.errors.size() << " failed";
+  if (!how.done.empty()) std::cout << ", " << summary.elsewhere << " in other databases";
+  std::cout << '\n';
   if (!summary.complete) complain("stopped; nothing finished is lost: the same command goes on from here");
   return summary.complete && summary.errors.empty() ? 0 : 1;
 }
@@ -78,6 +90,11 @@ struct Loaded {
   std::vector<search::Member> members;
   search::NearestSearch search;
 };
+
+/// Why a member has no signature.
+std::string why_without(const search::Member& member) {
+  return member.status == search::MemberStatus::kLeft ? "it is still to be described" : member.error;
+}
 
 struct Query {
   std::string name, source;
@@ -118,7 +135,8 @@ int search_database(const SearchOptions& options) {
     const auto found = std::ranges::find(loaded.members, name, &search::Member::name);
     if (found == loaded.members.end()) {
       const auto row = database.find(name);
-      complain(options.database + ": no member '" + name + "'" + (row ? " with a signature: " + row->error : ""));
+      complain(options.database + ": no member '" + name + "'" +
+               (row ? " with a signature: " + why_without(*row) : ""));
       failed = true;
       continue;
     }
@@ -171,12 +189,17 @@ void add_index(CLI::App& app, int& status) {
                       "What shapes are compared by, as 'rectilin evaluate' takes it; fixed when the database is made "
                       "(default: best)");
   add_threads_option(*command, options->threads, "signatures are the same for any");
+  add_corpus_options(*command, options->corpus, "", "");
+  add_seconds_option(*command, options->seconds);
   command->footer(
       "Files that are in the database and have the same bytes are not read again; moved files are recognised by them,\n"
       "and members of the given folders that are gone are removed. After Ctrl-C or any other end the same command "
       "goes\n"
-      "on. Files that fail are rows that say why; they cost the exit status (1).\n"
-      "Example: rectilin index parts/ -o parts.db; rectilin search parts.db bracket.stl");
+      "on. Files that fail are rows that say why; they cost the exit status (1). Databases of shards are put together "
+      "by\n"
+      "'rectilin merge'.\n"
+      "Examples: rectilin index parts/ -o parts.db; rectilin search parts.db bracket.stl\n"
+      "          rectilin index abc.zip -o abc-3.db --shard 3/16 --seconds 60 --memory 4G");
   command->callback([options, &status] { status = index_folders(*options); });
 }
 

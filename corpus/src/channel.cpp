@@ -4,7 +4,9 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstdint>
 #include <cstring>
 
@@ -15,6 +17,24 @@ constexpr std::size_t kHeader = 5;  // the length and the kind
 constexpr std::size_t kLongest = std::size_t{1} << 28;
 
 }  // namespace
+
+std::string mesh_message(const NamedSource& mesh) {
+  return std::to_string(mesh.name.size()) + ' ' + std::to_string(mesh.group.size()) + ' ' + mesh.name + mesh.group +
+         mesh.source;
+}
+
+NamedSource mesh_in(std::string_view message) {
+  std::size_t sizes[2] = {0, 0};
+  for (std::size_t& size : sizes) {
+    const char* const end = std::from_chars(message.data(), message.data() + message.size(), size).ptr;
+    message.remove_prefix(std::min(static_cast<std::size_t>(end - message.data()) + 1, message.size()));
+  }
+  const std::string_view name = message.substr(0, sizes[0]);
+  message.remove_prefix(name.size());
+  const std::string_view group = message.substr(0, sizes[1]);
+  message.remove_prefix(group.size());
+  return {std::string(name), std::string(message), std::string(group)};
+}
 
 Channel::~Channel() {
   if (socket_ >= 0) close(socket_);

@@ -5,17 +5,22 @@
 #include <string>
 #include <string_view>
 
+#include "rectilin/mesh/source.h"
+
 namespace rectilin::corpus {
 
-/// The kinds of messages. Their content is text; file names are sent byte for byte, whatever their encoding.
+/// The kinds of messages. A worker has up to two meshes at a time and does them in their order. It ends each with one
+/// of the messages from kResult on, except those that it is told not to go on with.
 enum class Kind : char {
-  kSetup = 'S',     ///< to a worker, once: JSON {task, settings, memory}
-  kMesh = 'M',      ///< to a worker: the source of a mesh
-  kMeasure = 'G',   ///< to a worker: no mesh had this digest before, go on with it
-  kKnown = 'K',     ///< to a worker: a mesh with this digest is known, skip this one
-  kRead = 'D',      ///< from a worker: JSON {digest, report}
-  kResult = 'R',    ///< from a worker: JSON {result, time_over}
+  kSetup = 'S',     ///< to a worker, once: JSON {task, settings, seconds, memory, ask}
+  kMesh = 'M',      ///< to a worker: mesh_message()
+  kCancel = 'C',    ///< to a worker: the last mesh sent is not wanted any more, unless it was begun
+  kGoOn = 'G',      ///< to a worker that asks: do the work
+  kKnown = 'K',     ///< to a worker that asks: a mesh with this digest is known, skip this one
+  kRead = 'D',      ///< from a worker that asks: JSON {digest, report, left_out}
+  kResult = 'R',    ///< from a worker: JSON {result, time_over, read}, then, after NUL, the bytes of the result if any
   kError = 'E',     ///< from a worker: why there is no result
+  kSkipped = 'X',   ///< from a worker: the mesh was cancelled in time
   kNoMemory = 'L',  ///< from a worker, which then ends: it reached its memory limit
 };
 
@@ -23,6 +28,10 @@ struct Message {
   Kind kind;
   std::string content;
 };
+
+/// A mesh with its name and class, byte for byte, whatever their encoding.
+std::string mesh_message(const NamedSource& mesh);
+NamedSource mesh_in(std::string_view message);
 
 /// One end of a connection. Not thread safe.
 class Channel {

@@ -5,8 +5,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <limits>
+#include <vector>
 
+#include "json_member.h"
 #include "npy.h"
 #include "rectilin/base/printable.h"
 #include "rectilin/base/whole_file.h"
@@ -19,26 +20,22 @@ namespace fs = std::filesystem;
 static_assert(std::endian::native == std::endian::little, "the numbers in the files are little-endian");
 
 /// The columns of the query that all formats use.
-enum Column {
-  kName,
-  kSource,
-  kClass,
-  kStatus,
-  kDigest,
-  kFaces,
-  kArea,
-  kR,
-  kLower,
-  kUpper,
-  kSeconds,
-  kVersion,
-  kError,
-  kResult,
-  kReport
-};
+enum Column { kName, kSource, kClass, kStatus, kDigest, kFaces, kArea, kSeconds, kVersion, kError, kResult, kReport };
 constexpr const char* kSelect =
-    "SELECT name, source, class, status, digest, faces, area, rectilinearity, lower, upper, seconds, version, error,"
-    " result, report FROM meshes WHERE status > 0 ORDER BY name";
+    "SELECT name, source, class, status, digest, faces, area, seconds, version, error, result, report FROM meshes"
+    " WHERE status > 0 ORDER BY name";
+
+/// What tables show of the results of a task, besides faces and area: members of the JSON object.
+struct Fields {
+  std::vector<std::string_view> words, numbers;  ///< words are in CSV only
+  std::vector<std::string_view> arrays;          ///< in NPY only: `rotation` (3 by 3) or `centre` (3)
+};
+
+Fields fields_of(const std::string& task) {
+  if (task == "pose") return {{"chosen", "uniqueness"}, {"scale", "confidence"}, {"rotation", "centre"}};
+  if (task == "compare") return {{"outcome"}, {"merit", "evaluations"}, {"rotation"}};
+  return {{}, {"rectilinearity", "lower", "upper"}, {"rotation"}};
+}
 
 const char* status_of(const Statement& row) { return to_string(static_cast<RowStatus>(row.integer(kStatus))); }
 
@@ -60,15 +57,37 @@ void append_cell(std::string& out, std::string_view given) {
   out += '"';
 }
 
-void append_csv(std::string& out, const Statement& row) {
-  for (const int column :
-       {kName, kClass, kStatus, kDigest, kFaces, kArea, kR, kLower, kUpper, kSeconds, kVersion, kError}) {
-    if (column != kName) out += ',';
-    if (column == kStatus) out += status_of(row);
-    else if (column == kFaces) out += row.text(column);  // a whole number, or empty
-    else if (column < kArea || column > kSeconds) append_cell(out, row.text(column));
-    else if (!row.is_null(column)) append_number(out, row.real(column));
+std::string csv_header(const Fields& fields) {
+  std::string header = "name,class,status,digest,faces,area";
+  for (const auto& names : {fields.words, fields.numbers})
+    for (const std::string_view name : names) header.append(",").append(name);
+  return header + ",seconds,version,error\n";
+}
+
+void append_csv(std::string& out, const Statement& row, const Fields& fields) {
+  append_cell(out, row.text(kName));
+  out += ',';
+  append_cell(out, row.text(kClass));
+  out.append(",").append(status_of(row)).append(",");
+  append_cell(out, row.text(kDigest));
+  out.append(",").append(row.text(kFaces)).append(",");  // a whole number, or empty
+  if (!row.is_null(kArea)) append_number(out, row.real(kArea));
+  const std::string_view result = row.text(kResult);
+  for (const std::string_view name : fields.words) {
+    out += ',';
+    if (const std::string_view word = member_of(result, name); word.starts_with('"'))
+      append_cell(out, Json::parse(word).get<std::string>());
   }
+  for (const std::string_view name : fields.numbers) {
+    out += ',';
+    if (const std::string_view number = member_of(result, name); number != "null") out += number;
+  }
+  out += ',';
+  append_number(out, row.real(kSeconds));
+  out += ',';
+  append_cell(out, row.text(kVersion));
+  out += ',';
+  append_cell(out, row.text(kError));
   out += '\n';
 }
 
@@ -98,22 +117,15 @@ void append_raw(std::string& out, Number x) {
   out.append(bytes.data(), bytes.size());
 }
 
-/// The nine numbers of a stored result's rotation; NaN if it has none.
-std::array<double, 9> rotation_in(std::string_view result) {
-  std::array<double, 9> numbers;
-  numbers.fill(std::nan(""));
-  constexpr std::string_view kKey = "\"rotation\":[[";
-  const std::size_t found = result.find(kKey);
-  if (found == std::string_view::npos) return numbers;
-  const char* at = result.data() + found + kKey.size();
-  const char* const end = result.data() + result.size();
-  for (double& x : numbers) {
-    const auto [next, error] = std::from_chars(at, end, x);
-    if (error != std::errc()) break;
-    at = next;
-    while (at != end && (*at == ',' || *at == '[' || *at == ']')) ++at;
+/// Appends so many numbers of a JSON array, whatever its shape; NaN for those that it lacks.
+void append_numbers(std::string& out, std::string_view array, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    array.remove_prefix(std::min(array.find_first_not_of(",[]"), array.size()));
+    double x = std::nan("");
+    const char* const end = std::from_chars(array.data(), array.data() + array.size(), x).ptr;
+    array.remove_prefix(static_cast<std::size_t>(end - array.data()));
+    append_raw(out, x);
   }
-  return numbers;
 }
 
 struct Widths {
@@ -131,23 +143,30 @@ Widths widths_of(Database& database) {
   return {at_least_1(0), at_least_1(1), static_cast<std::size_t>(most.integer(2))};
 }
 
-std::string table_header(const Widths& widths) {
-  std::vector<std::string> fields = {"('name', '|S" + std::to_string(widths.name) + "')",
-                                     "('class', '|S" + std::to_string(widths.group) + "')", "('status', '|u1')",
-                                     "('faces', '<i8')"};
-  for (const char* name : {"area", "rectilinearity", "lower", "upper", "seconds"})
-    fields.push_back("('" + std::string(name) + "', '<f8')");
-  fields.push_back("('rotation', '<f8', (3, 3))");
-  return npy_header(fields, widths.rows);
+std::string table_header(const Widths& widths, const Fields& fields) {
+  std::vector<std::string> columns = {"('name', '|S" + std::to_string(widths.name) + "')",
+                                      "('class', '|S" + std::to_string(widths.group) + "')", "('status', '|u1')",
+                                      "('faces', '<i8')"};
+  const auto add = [&](std::string_view name) { columns.push_back("('" + std::string(name) + "', '<f8')"); };
+  add("area");
+  for (const std::string_view name : fields.numbers) add(name);
+  add("seconds");
+  for (const std::string_view name : fields.arrays)
+    columns.push_back("('" + std::string(name) + "', '<f8', " + (name == "rotation" ? "(3, 3))" : "(3,))"));
+  return npy_header(columns, widths.rows);
 }
 
-void append_record(std::string& out, const Statement& row, const Widths& widths) {
+void append_record(std::string& out, const Statement& row, const Widths& widths, const Fields& fields) {
   append_bytes(out, row.text(kName), widths.name);
   append_bytes(out, row.text(kClass), widths.group);
   append_raw(out, static_cast<std::uint8_t>(row.integer(kStatus)));
   append_raw(out, row.is_null(kFaces) ? std::int64_t{-1} : row.integer(kFaces));
-  for (const int column : {kArea, kR, kLower, kUpper, kSeconds}) append_raw(out, row.real(column));
-  for (const double x : rotation_in(row.text(kResult))) append_raw(out, x);
+  append_raw(out, row.real(kArea));
+  const std::string_view result = row.text(kResult);
+  for (const std::string_view name : fields.numbers) append_numbers(out, member_of(result, name), 1);
+  append_raw(out, row.real(kSeconds));
+  for (const std::string_view name : fields.arrays)
+    append_numbers(out, member_of(result, name), name == "rotation" ? 9 : 3);
 }
 
 }  // namespace
@@ -160,14 +179,13 @@ void export_store(Store& store, const fs::path& file) {
   database.execute("BEGIN");  // a consistent view of the store, even while it is being written
   GrowingFile out(file);
   const Widths widths = widths_of(database);
-  std::string text =
-      format == ".csv" ? "name,class,status,digest,faces,area,rectilinearity,lower,upper,seconds,version,error\n" : "";
-  if (format == ".npy") text = table_header(widths);
+  const Fields fields = fields_of(store.task().name);
+  std::string text = format == ".csv" ? csv_header(fields) : format == ".npy" ? table_header(widths, fields) : "";
   Statement row(database, kSelect);
   while (row.step()) {
-    if (format == ".csv") append_csv(text, row);
+    if (format == ".csv") append_csv(text, row, fields);
     else if (format == ".jsonl") append_json(text, row);
-    else append_record(text, row, widths);
+    else append_record(text, row, widths, fields);
     constexpr std::size_t kPiece = 1 << 20;
     if (text.size() <= kPiece) continue;
     out.write(text);

@@ -1,77 +1,78 @@
 #include "rectilin/corpus/merge.h"
 
-#include <optional>
-
 #include "store_access.h"
 
 namespace rectilin::corpus {
 namespace {
 
-constexpr const char* kBothDone =
-    " FROM part.meshes AS theirs JOIN main.meshes AS ours ON ours.name = theirs.name"
-    " WHERE theirs.status = 3 AND ours.status = 3 AND (theirs.digest <> ours.digest OR theirs.result <> ours.result)";
+const MergeSql kMergeStores = {
+    "SELECT ours.name, theirs.digest <> ours.digest FROM part.meshes AS theirs JOIN main.meshes AS ours"
+    " ON ours.name = theirs.name WHERE theirs.status = 3 AND ours.status = 3"
+    " AND (theirs.digest <> ours.digest OR theirs.result <> ours.result) ORDER BY ours.name",
+    {"INSERT INTO main.meshes SELECT * FROM part.meshes WHERE true ON CONFLICT(name) DO UPDATE SET"
+     " source = excluded.source, class = excluded.class, status = excluded.status, digest = excluded.digest,"
+     " faces = excluded.faces, area = excluded.area, rectilinearity = excluded.rectilinearity, lower = excluded.lower,"
+     " upper = excluded.upper, result = excluded.result, report = excluded.report, error = excluded.error,"
+     " version = excluded.version, finished = excluded.finished, seconds = excluded.seconds"
+     " WHERE excluded.status > meshes.status"},
+    0};
 
-constexpr const char* kAdd =
-    "INSERT INTO main.meshes SELECT * FROM part.meshes WHERE true ON CONFLICT(name) DO UPDATE SET"
-    " source = excluded.source, class = excluded.class, status = excluded.status, digest = excluded.digest,"
-    " faces = excluded.faces, area = excluded.area, rectilinearity = excluded.rectilinearity, lower = excluded.lower,"
-    " upper = excluded.upper, result = excluded.result, report = excluded.report, error = excluded.error,"
-    " version = excluded.version, finished = excluded.finished, seconds = excluded.seconds"
-    " WHERE excluded.status > meshes.status";
-
-void find_conflicts(Database& database, const std::string& store, MergeSummary& summary) {
+void find_conflicts(Database& database, const std::string& file, const MergeSql& sql, MergeSummary& summary) {
   constexpr std::size_t kShown = 10;
-  Statement conflicts(
-      database, std::string("SELECT ours.name, theirs.digest <> ours.digest") + kBothDone + " ORDER BY ours.name");
+  Statement conflicts(database, sql.conflicts);
   for (std::size_t found = 0; conflicts.step(); ++found, ++summary.conflicts) {
     if (found < kShown)
       summary.first.push_back(
-          {std::string(conflicts.text(0)), store,
+          {std::string(conflicts.text(0)), file,
            conflicts.integer(1) ? "another mesh has this name" : "another result for the same mesh"});
   }
 }
 
+std::int64_t total_changes(Database& database) {
+  Statement changes(database, "SELECT total_changes()");
+  changes.step();
+  return changes.integer(0);
+}
+
 }  // namespace
 
-MergeSummary merge(std::span<const std::filesystem::path> stores, const std::filesystem::path& target) {
-  std::optional<Task> task;
-  for (const auto& file : stores) {
-    const Task found = Store(file).task();
-    if (!task) task = found;
-    else if (found.name != task->name || found.settings != task->settings)
-      throw ParameterError(file.string() + ": holds results of another task or other settings than " +
-                           stores.front().string());
+void check_merge(std::span<const std::filesystem::path> files, const std::filesystem::path& target) {
+  if (files.empty()) throw ParameterError("no stores to merge");
+  for (const auto& file : files) {
     std::error_code ignored;
     if (std::filesystem::equivalent(file, target, ignored))
       throw ParameterError(target.string() + ": a store cannot be merged into itself");
   }
-  if (!task) throw ParameterError("no stores to merge");
+}
 
-  Store all(target, *task);
-  Database& database = StoreAccess::database(all);
-  MergeSummary summary;
+void merge_file(Database& target, const std::filesystem::path& file, const MergeSql& sql, MergeSummary& summary) {
   // This is one large change: with this kind of journal SQLite writes most of it only once.
-  database.execute("PRAGMA journal_mode = TRUNCATE; PRAGMA cache_size = -262144; PRAGMA temp_store = MEMORY");
-  for (const auto& file : stores) {
-    const std::string name = file.string();
-    Statement(database, "ATTACH ?1 AS part").bind(1, std::string_view(name)).run();
-    {
-      Transaction transaction(database);
-      find_conflicts(database, name, summary);
-      Statement changes(database, "SELECT total_changes()");
-      const auto count = [&] {
-        changes.step();
-        const std::int64_t n = changes.integer(0);
-        changes.reset();
-        return n;
-      };
-      const std::int64_t before = count();
-      Statement(database, kAdd).run();
-      summary.added += static_cast<std::size_t>(count() - before);
-      transaction.commit();
+  target.execute("PRAGMA journal_mode = TRUNCATE; PRAGMA cache_size = -262144; PRAGMA temp_store = MEMORY");
+  const std::string name = file.string();
+  Statement(target, "ATTACH ?1 AS part").bind(1, std::string_view(name)).run();
+  {
+    Transaction transaction(target);
+    find_conflicts(target, name, sql, summary);
+    for (std::size_t i = 0; i < sql.take.size(); ++i) {
+      const std::int64_t before = total_changes(target);
+      Statement(target, sql.take[i]).run();
+      if (i == sql.counted) summary.added += static_cast<std::size_t>(total_changes(target) - before);
     }
-    database.execute("DETACH part");
+    transaction.commit();
   }
+  target.execute("DETACH part");
+}
+
+MergeSummary merge(std::span<const std::filesystem::path> stores, const std::filesystem::path& target) {
+  check_merge(stores, target);
+  const Task task = Store(stores.front()).task();
+  for (const auto& file : stores)
+    if (const Task found = Store(file).task(); found != task)
+      throw ParameterError(file.string() + ": holds results of another task or other settings than " +
+                           stores.front().string() + ": " + difference(found, task));
+  Store all(target, task);
+  MergeSummary summary;
+  for (const auto& file : stores) merge_file(StoreAccess::database(all), file, kMergeStores, summary);
   summary.rows = all.size();
   return summary;
 }

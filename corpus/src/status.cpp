@@ -1,33 +1,18 @@
 #include "rectilin/corpus/status.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 
+#include "rectilin/corpus/writer_lock.h"
 #include "store_access.h"
 
 namespace rectilin::corpus {
-namespace {
-
-bool is_locked(const std::filesystem::path& store) {
-  const int file = open((store.string() + "-lock").c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return false;
-  const bool locked = flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  close(file);
-  return locked;
-}
-
-}  // namespace
 
 StoreStatus status_of(const std::filesystem::path& file) {
   Store store(file);
   Database& database = StoreAccess::database(store);
   StoreStatus status;
-  status.running = is_locked(file);
+  status.running = is_being_written(file);
   Statement counts(database, "SELECT status, count(*) FROM meshes GROUP BY status");
   while (counts.step()) {
     const auto count = static_cast<std::size_t>(counts.integer(1));
@@ -52,14 +37,16 @@ StoreStatus status_of(const std::filesystem::path& file) {
   const double started = run.real(1);
   run.reset();
   Statement finished(database, "SELECT count(*), max(finished) FROM meshes WHERE status > 0 AND finished >= ?1");
-  if (finished.bind(1, started).step() && finished.integer(0) > 0) {
-    // The rate is counted up to now if the run goes on, otherwise up to its last mesh.
-    const double now = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-    const double elapsed = (status.running ? now : finished.real(1)) - started;
-    status.rate = static_cast<double>(finished.integer(0)) / std::max(elapsed, 1e-3);
-    status.seconds_left = static_cast<double>(status.left) / status.rate;
-  }
+  if (finished.bind(1, started).step() && finished.integer(0) > 0)
+    set_rate(status, static_cast<std::size_t>(finished.integer(0)), started, finished.real(1));
   return status;
+}
+
+void set_rate(StoreStatus& status, std::size_t finished, double started, double last) {
+  const double now = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+  const double elapsed = (status.running ? now : last) - started;
+  status.rate = static_cast<double>(finished) / std::max(elapsed, 1e-3);
+  status.seconds_left = static_cast<double>(status.left) / status.rate;
 }
 
 }  // namespace rectilin::corpus

@@ -6,19 +6,18 @@
 #include <chrono>
 #include <map>
 
+#include "rectilin/base/printable.h"
 #include "rectilin/base/system_reason.h"
 #include "rectilin/base/version.h"
 #include "rectilin/base/whole_file.h"
-#include "store_access.h"
+#include "rectilin/corpus/file_kind.h"
 #include "rectilin/corpus/writer_lock.h"
+#include "store_access.h"
 
 namespace rectilin::corpus {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::int64_t kApplication = 0x7265637;  // marks an SQLite file as a store
-constexpr std::int64_t kTablesVersion = 1;        // version of the tables
 
 constexpr const char* kTables = R"(
 CREATE TABLE meshes(
@@ -31,6 +30,8 @@ CREATE TABLE runs(
   id INTEGER PRIMARY KEY, shard TEXT NOT NULL, host TEXT NOT NULL, process INTEGER NOT NULL, version TEXT NOT NULL,
   started REAL NOT NULL, ended REAL);
 )";
+
+constexpr FileKind kStore = {0x7265637, 1, kTables, "a store of results"};
 
 double now() { return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count(); }
 
@@ -63,17 +64,6 @@ bool is_local(const fs::path& file) {
   }
 }
 
-std::int64_t pragma(Database& database, const std::string& name) {
-  Statement statement(database, "PRAGMA " + name);
-  return statement.step() ? statement.integer(0) : 0;
-}
-
-void check_is_store(Database& database) {
-  if (pragma(database, "application_id") != kApplication) throw std::runtime_error(database.name() + ": not a store");
-  if (pragma(database, "user_version") != kTablesVersion)
-    throw std::runtime_error(database.name() + ": a store of another version of the program");
-}
-
 /// A number of a result that has a column of its own; nothing if the result lacks it.
 std::optional<double> number(const Json& result, const char* key) {
   const auto found = result.find(key);
@@ -82,11 +72,6 @@ std::optional<double> number(const Json& result, const char* key) {
 
 std::optional<std::string_view> unless_empty(const std::string& text) {
   return text.empty() ? std::nullopt : std::optional<std::string_view>(text);
-}
-
-std::string fact(Database& database, std::string_view key) {
-  Statement statement(database, "SELECT value FROM facts WHERE key = ?1");
-  return statement.bind(1, key).step() ? std::string(statement.text(0)) : std::string();
 }
 
 }  // namespace
@@ -103,6 +88,18 @@ const char* to_string(RowStatus status) {
       return "limited";
   }
   return "";
+}
+
+std::string difference(const Task& found, const Task& wanted) {
+  if (found.name != wanted.name) return "'" + found.name + "', not of '" + wanted.name + "'";
+  Json theirs = Json::object(), ours = Json::object();
+  for (const auto& [key, value] : found.settings.items())
+    if (!wanted.settings.contains(key) || wanted.settings[key] != value) theirs[key] = value;
+  for (const auto& [key, value] : wanted.settings.items())
+    if (!found.settings.contains(key) || found.settings[key] != value) ours[key] = value;
+  constexpr std::size_t kShown = 120;
+  return "'" + found.name + "' with " + shortened(to_text(theirs), kShown) + ", not with " +
+         shortened(to_text(ours), kShown);
 }
 
 Row read_row(const Statement& s) {
@@ -134,42 +131,28 @@ struct Store::Implementation {
 Store::Store(const fs::path& file, const Task& task)
     : implementation_(std::make_unique<Implementation>(file, Database::Mode::kWrite)) {
   Database& database = implementation_->database;
+  if (!is_empty(database)) check_kind(database, kStore);  // before anything is changed
   // Each commit is handed to the operating system at once, so that it survives the end of the program, but does not
   // wait for the disk.
   database.execute(is_local(file) ? "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL"
                                   : "PRAGMA journal_mode = TRUNCATE; PRAGMA synchronous = NORMAL");
   database.execute("PRAGMA cache_size = -65536");
-  const std::string settings = to_text(task.settings);
-  Statement tables(database, "SELECT count(*) FROM sqlite_master");
-  tables.step();
-  if (tables.integer(0) == 0) {
-    tables.reset();
-    Transaction transaction(database);
-    database.execute(kTables);
-    database.execute("PRAGMA application_id = " + std::to_string(kApplication) +
-                     "; PRAGMA user_version = " + std::to_string(kTablesVersion));
-    Statement insert(database, "INSERT INTO facts(key, value) VALUES(?1, ?2)");
-    insert.bind(1, std::string_view("task")).bind(2, std::string_view(task.name)).run();
-    insert.bind(1, std::string_view("settings")).bind(2, std::string_view(settings)).run();
-    transaction.commit();
-  }
-  tables.reset();
-  check_is_store(database);
-  const std::string found_task = fact(database, "task"), found = fact(database, "settings");
-  if (found_task != task.name || found != settings)
-    throw ParameterError(file.string() + ": the store holds results of '" + found_task + "' with " + found +
-                         ", not of '" + task.name + "' with " + settings);
+  make_tables(database, kStore, {{"task", task.name}, {"settings", to_text(task.settings)}});
+  const Task found = this->task();
+  if (found != task) throw ParameterError(file.string() + ": the store holds results of " + difference(found, task));
 }
 
 Store::Store(const fs::path& file) {
   if (std::error_code error = why_unreadable(file))
     throw std::runtime_error(file.string() + ": " + system_reason(error));
   implementation_ = std::make_unique<Implementation>(file, Database::Mode::kRead);
-  check_is_store(implementation_->database);
+  check_kind(implementation_->database, kStore);
 }
 
 Store::~Store() = default;
 Store::Store(Store&&) noexcept = default;
+
+bool is_store(const fs::path& file) { return is_of_kind(file, kStore); }
 
 Database& StoreAccess::database(Store& store) { return store.implementation_->database; }
 

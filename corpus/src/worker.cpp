@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <deque>
 #include <fstream>
 #include <new>
 
@@ -37,31 +38,89 @@ void limit_memory(std::uint64_t bytes) {
   });
 }
 
-/// Does one mesh; returns false if the worker should end.
-bool do_mesh(Channel& channel, const std::string& source, const Work& work) {
-  std::string error;
-  memory_ran_out = false;
-  try {
-    const LoadedMesh loaded = load_mesh(source);
-    const Json read = {
-        {"digest", mesh_digest(loaded.mesh)}, {"report", to_json(loaded.report)}, {"left_out", summary(loaded.report)}};
-    if (!channel.send(Kind::kRead, to_text(read))) return false;
-    const auto answer = channel.receive();
-    if (!answer) return false;
-    if (answer->kind == Kind::kKnown) return true;
-    const WorkResult done = work(loaded);
-    return channel.send(Kind::kResult, to_text(Json{{"result", done.result}, {"time_over", done.time_over}}));
-  } catch (const std::bad_alloc&) {
-    memory_ran_out = true;
-  } catch (const std::exception& e) {
-    error = e.what();
+class Worker {
+ public:
+  Worker(Channel& channel, Work work, bool ask) : channel_(channel), work_(std::move(work)), ask_(ask) {}
+
+  void run() {
+    for (;;) {
+      if (!channel_.fill()) return;
+      while (const auto message = channel_.next())
+        if (!put_aside(*message)) return;
+      if (waiting_.empty()) {
+        const auto message = channel_.receive();
+        if (!message || !put_aside(*message)) return;
+        continue;
+      }
+      const Waiting next = std::move(waiting_.front());
+      waiting_.pop_front();
+      if (!(next.cancelled ? channel_.send(Kind::kSkipped, "") : do_mesh(next.mesh))) return;
+    }
   }
-  if (memory_ran_out) {
-    channel.send(Kind::kNoMemory, "");
-    return false;
+
+ private:
+  struct Waiting {
+    NamedSource mesh;
+    bool cancelled = false;
+  };
+
+  /// Keeps a mesh that comes while another is in work; returns false for a message that is about the one in work.
+  bool put_aside(const Message& message) {
+    if (message.kind == Kind::kMesh) waiting_.push_back({mesh_in(message.content)});
+    // If no mesh waits, the one that is not wanted any more was begun.
+    else if (message.kind == Kind::kCancel && !waiting_.empty()) waiting_.back().cancelled = true;
+    return message.kind == Kind::kMesh || message.kind == Kind::kCancel;
   }
-  return channel.send(Kind::kError, error);
-}
+
+  /// Does one mesh; returns false if the worker should end.
+  bool do_mesh(const NamedSource& job) {
+    std::string error;
+    memory_ran_out = false;
+    try {
+      read(job.source);
+      Json about = {{"digest", digest_}, {"report", to_json(loaded_.report)}, {"left_out", summary(loaded_.report)}};
+      if (ask_) {
+        if (!channel_.send(Kind::kRead, to_text(about))) return false;
+        auto answer = channel_.receive();
+        while (answer && put_aside(*answer)) answer = channel_.receive();
+        if (!answer) return false;
+        if (answer->kind == Kind::kKnown) return true;
+        about = nullptr;
+      }
+      const WorkResult done = work_(job, loaded_);
+      std::string answer =
+          to_text(Json{{"result", done.result}, {"time_over", done.time_over}, {"read", std::move(about)}});
+      if (!done.bytes.empty()) answer.append(1, '\0').append(done.bytes);
+      return channel_.send(Kind::kResult, answer);
+    } catch (const std::bad_alloc&) {
+      memory_ran_out = true;
+    } catch (const std::exception& e) {
+      error = e.what();
+    }
+    if (memory_ran_out) {
+      channel_.send(Kind::kNoMemory, "");
+      return false;
+    }
+    return channel_.send(Kind::kError, error);
+  }
+
+  /// Reads the mesh unless it is the one of the last job, as when many jobs are about one mesh.
+  void read(const std::string& source) {
+    if (source == source_) return;
+    source_.clear();
+    loaded_ = {};  // two meshes at a time would count twice against the memory limit
+    loaded_ = load_mesh(source);
+    digest_ = mesh_digest(loaded_.mesh);
+    source_ = source;
+  }
+
+  Channel& channel_;
+  const Work work_;
+  const bool ask_;
+  std::deque<Waiting> waiting_;
+  std::string source_, digest_;  ///< of the mesh that was read last
+  LoadedMesh loaded_;
+};
 
 }  // namespace
 
@@ -71,11 +130,9 @@ int run_worker(int socket, const MakeWork& make_work) {
   if (!setup || setup->kind != Kind::kSetup) return 2;
   const Json json = Json::parse(setup->content);
   const auto seconds = json["seconds"].is_null() ? std::nullopt : std::optional(json["seconds"].get<double>());
-  const Work work = make_work({json["task"], json["settings"]}, seconds);
+  Worker worker(channel, make_work({json["task"], json["settings"]}, seconds), json["ask"]);
   if (!json["memory"].is_null()) limit_memory(json["memory"]);
-  while (const auto message = channel.receive()) {
-    if (message->kind != Kind::kMesh || !do_mesh(channel, message->content, work)) break;
-  }
+  worker.run();
   return 0;
 }
 

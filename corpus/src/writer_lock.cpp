@@ -33,4 +33,12 @@ WriterLock::WriterLock(const std::filesystem::path& store)
 
 WriterLock::~WriterLock() { close(file_); }
 
+bool is_being_written(const std::filesystem::path& store) {
+  const int file = open((store.string() + "-lock").c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return false;
+  const bool locked = flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  close(file);
+  return locked;
+}
+
 }  // namespace rectilin::corpus

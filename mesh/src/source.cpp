@@ -180,14 +180,17 @@ bool is_shape_source(std::string_view source) { return source.starts_with(kShape
 
 LoadedMesh load_mesh(const std::string& source) {
   if (source.find('\0') != std::string::npos) throw MeshError(printable(source) + ": a name with a NUL character");
-  if (is_folder(source)) complain_of_folder(source);
   if (is_shape_source(source)) {
     LoadedMesh loaded{make_shape(Spec::parse(std::string_view(source).substr(kShapePrefix.size()))), {}};
     loaded.report.vertices = loaded.mesh.vertices.size();
     loaded.report.polygons = loaded.mesh.triangles.size();
     return loaded;
   }
-  if (const auto member = parse_member(source); member && !is_file(source)) return load_member(source, *member);
+  std::error_code ignored;  // reading reports it
+  const fs::file_status status = fs::status(source, ignored);
+  if (fs::is_directory(status)) complain_of_folder(source);
+  if (const auto member = parse_member(source); member && !fs::is_regular_file(status))
+    return load_member(source, *member);
   return is_archive_name(source) ? load_archive(source) : read_mesh(source);
 }
 

@@ -6,6 +6,7 @@
 #include "mesh.h"
 #include "rectilin/base/printable.h"
 #include "rectilin/search/database.h"
+#include "rectilin/search/describe.h"
 #include "rectilin/search/diffusion.h"
 #include "rectilin/search/duplicates.h"
 #include "rectilin/search/index.h"

@@ -1,9 +1,10 @@
 #include "rectilin/search/database.h"
 
+#include <chrono>
 #include <stdexcept>
 
+#include "database_access.h"
 #include "rectilin/base/version.h"
-#include "rectilin/corpus/sqlite.h"
 #include "rectilin/corpus/writer_lock.h"
 #include "rectilin/retrieval/best.h"
 #include "rectilin/retrieval/features.h"
@@ -15,9 +16,6 @@ namespace fs = std::filesystem;
 using corpus::Statement;
 using Mode = corpus::Database::Mode;
 
-constexpr std::int64_t kSearchFile = 0x7265736;   // marks an SQLite file as a database of signatures
-constexpr std::int64_t kSearchTablesVersion = 1;  // of the tables
-
 constexpr const char* kSearchTables = R"(
 CREATE TABLE members(
   id INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE, source TEXT NOT NULL, digest TEXT NOT NULL, status INTEGER NOT NULL,
@@ -26,6 +24,8 @@ CREATE TABLE signatures(
   member INTEGER NOT NULL, part INTEGER NOT NULL, bytes BLOB NOT NULL, PRIMARY KEY(member, part));
 CREATE TABLE facts(key TEXT PRIMARY KEY NOT NULL, value TEXT NOT NULL) WITHOUT ROWID;
 )";
+
+constexpr corpus::FileKind kSearchFile = {0x7265736, 1, kSearchTables, "a database of shapes"};
 
 constexpr const char* kColumns = "id, name, source, digest, status, faces, rectilinearity, size, error, seconds";
 
@@ -44,16 +44,6 @@ Member read_member(const Statement& s) {
   return m;
 }
 
-std::int64_t pragma_value(corpus::Database& database, const std::string& name) {
-  Statement statement(database, "PRAGMA " + name);
-  return statement.step() ? statement.integer(0) : 0;
-}
-
-std::string search_fact(corpus::Database& database, std::string_view key) {
-  Statement statement(database, "SELECT value FROM facts WHERE key = ?1");
-  return statement.bind(1, key).step() ? std::string(statement.text(0)) : std::string();
-}
-
 /// The descriptor with all settings of its terms: what signatures depend on.
 std::string all_settings(const std::string& descriptor) {
   std::string text;
@@ -69,11 +59,8 @@ struct Database::Implementation {
       : lock(mode == Mode::kWrite ? std::make_unique<corpus::WriterLock>(path) : nullptr), database(path, mode) {}
 
   void check() {
-    if (pragma_value(database, "application_id") != kSearchFile)
-      throw std::runtime_error(database.name() + ": not a database of shapes");
-    if (pragma_value(database, "user_version") != kSearchTablesVersion)
-      throw std::runtime_error(database.name() + ": written by another version of the program");
-    descriptor = search_fact(database, "descriptor");
+    corpus::check_kind(database, kSearchFile);
+    descriptor = corpus::fact(database, "descriptor");
     std::string settings;
     try {
       for (const retrieval::Term& term : retrieval::parse_composite(descriptor))
@@ -82,7 +69,7 @@ struct Database::Implementation {
     } catch (const ParameterError& e) {
       throw std::runtime_error(database.name() + ": its descriptor is unknown to this version: " + e.what());
     }
-    if (settings != search_fact(database, "settings"))
+    if (settings != corpus::fact(database, "settings"))
       throw std::runtime_error(database.name() + ": its descriptor '" + descriptor +
                                "' has other settings in this version of the program; index again into a new file");
   }
@@ -107,25 +94,11 @@ Database::Database(const fs::path& file, const std::string& text) {
   const std::string settings = all_settings(descriptor);  // before a file is made
   implementation_ = std::make_unique<Implementation>(file, Mode::kWrite);
   corpus::Database& database = implementation_->database;
+  if (!corpus::is_empty(database)) corpus::check_kind(database, kSearchFile);  // before anything is changed
   // No file beside this one once a change is done, and each done change outlives the program.
   database.execute("PRAGMA journal_mode = TRUNCATE; PRAGMA synchronous = NORMAL; PRAGMA cache_size = -65536");
-  Statement tables(database, "SELECT count(*) FROM sqlite_master");
-  tables.step();
-  const bool fresh = tables.integer(0) == 0;
-  tables.reset();
-  if (fresh) {
-    corpus::Transaction transaction(database);
-    database.execute(kSearchTables);
-    Statement fact(database, "INSERT INTO facts(key, value) VALUES(?1, ?2)");
-    const std::string program = version();
-    for (const auto& [key, value] : {std::pair<std::string_view, std::string_view>{"descriptor", descriptor},
-                                     {"settings", settings},
-                                     {"version", program}})
-      fact.bind(1, key).bind(2, value).run();
-    database.execute("PRAGMA application_id = " + std::to_string(kSearchFile) +
-                     "; PRAGMA user_version = " + std::to_string(kSearchTablesVersion));
-    transaction.commit();
-  }
+  corpus::make_tables(database, kSearchFile,
+                      {{"descriptor", descriptor}, {"settings", settings}, {"version", version()}});
   implementation_->check();
   if (implementation_->descriptor != descriptor)
     throw ParameterError(file.string() + ": holds signatures of '" + implementation_->descriptor + "', not of '" +
@@ -138,6 +111,10 @@ Database::Database(const fs::path& file) : implementation_(std::make_unique<Impl
 
 Database::~Database() = default;
 Database::Database(Database&&) noexcept = default;
+
+bool is_database(const fs::path& file) { return corpus::is_of_kind(file, kSearchFile); }
+
+corpus::Database& DatabaseAccess::file(Database& database) { return database.implementation_->database; }
 
 const std::string& Database::descriptor() const { return implementation_->descriptor; }
 
@@ -217,6 +194,16 @@ void Database::rename(const Member& member) {
 void Database::remove(std::int64_t id) {
   for (const char* sql : {"DELETE FROM signatures WHERE member = ?1", "DELETE FROM members WHERE id = ?1"})
     Statement(implementation_->database, sql).bind(1, id).run();
+}
+
+void Database::begin_run(const std::string& shard) {
+  corpus::Database& file = implementation_->database;
+  const double now = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+  Statement finished(file, "SELECT count(*) FROM members WHERE status > 0");
+  finished.step();
+  corpus::set_fact(file, "shard", shard);
+  corpus::set_fact(file, "started", std::to_string(now));
+  corpus::set_fact(file, "finished_before", std::to_string(finished.integer(0)));
 }
 
 void Database::begin() { implementation_->open = std::make_unique<corpus::Transaction>(implementation_->database); }

@@ -10,32 +10,24 @@
 #include "rectilin/mesh/source.h"
 
 namespace rectilin::search {
+namespace {
+
+std::string hexadecimal(std::uint64_t x) {
+  std::ostringstream text;
+  text << std::hex << x;
+  return text.str();
+}
+
+}  // namespace
 
 std::string file_of(const std::string& source) {
   if (is_shape_source(source)) return {};
   return source.substr(0, source.find("::"));
 }
 
-namespace {
-
-/// load_mesh() knows why a source cannot be read, and says so.
-[[noreturn]] void fail_as_reader(const std::string& source, const std::string& file) {
-  load_mesh(source);
-  throw std::runtime_error(file + ": cannot be read");
-}
-
-}  // namespace
-
-std::string source_digest(const std::string& source) {
-  std::ostringstream text;
-  text << std::hex;
-  const std::string file = file_of(source);
-  if (file.empty()) {
-    text << Fnv1a().add(source).value();
-    return text.str();
-  }
+std::optional<std::string> file_digest(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
-  if (!in) fail_as_reader(source, file);
+  if (!in) return std::nullopt;
   // FNV-1a step by step over words, since bytes one by one would take longer than reading them.
   std::uint64_t hash = 0xcbf29ce484222325u, size = 0;
   std::vector<char> block(1 << 16);
@@ -51,10 +43,24 @@ std::string source_digest(const std::string& source) {
     }
     size += count;
   }
-  if (in.bad()) fail_as_reader(source, file);
-  text << hash << '-' << size;
-  if (file.size() < source.size()) text << '-' << Fnv1a().add(source.substr(file.size())).value();
-  return text.str();
+  if (in.bad()) return std::nullopt;
+  return hexadecimal(hash) + '-' + hexadecimal(size);
+}
+
+std::string source_digest(const std::string& source, const std::string& digest) {
+  const std::string file = file_of(source);
+  if (file.empty()) return hexadecimal(Fnv1a().add(source).value());
+  if (file.size() == source.size()) return digest;
+  return digest + '-' + hexadecimal(Fnv1a().add(source.substr(file.size())).value());
+}
+
+std::string why_no_digest(const std::string& source) {
+  try {
+    load_mesh(source);
+  } catch (const std::exception& e) {
+    return e.what();
+  }
+  return file_of(source) + ": cannot be read";
 }
 
 }  // namespace rectilin::search

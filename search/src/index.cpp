@@ -1,7 +1,5 @@
+#include "rectilin/search/describe.h"
 #include "rectilin/search/index.h"
-
-#include <tbb/parallel_for.h>
-#include <time.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -9,226 +7,257 @@
 #include <set>
 
 #include "digest.h"
+#include "found_files.h"
 #include "rectilin/base/printable.h"
-#include "rectilin/mesh/edits.h"
 #include "rectilin/mesh/source.h"
+#include "rectilin/search/index_worker.h"
 
 namespace rectilin::search {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// From the root, without dots; archives keep the name of their member.
-std::string from_root(const std::string& source) {
-  const std::string file = file_of(source);
-  if (file.empty()) return source;
-  return fs::absolute(file).lexically_normal().string() + source.substr(file.size());
-}
-
-/// Whether a source is `top` or in the folder or archive of that name.
-bool is_within(const std::string& source, const std::string& top) {
-  if (!source.starts_with(top)) return false;
-  if (source.size() == top.size() || top.ends_with('/')) return true;
-  return source[top.size()] == '/' || source.substr(top.size(), 2) == "::";
-}
-
-double seconds_of_thread() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-/// A file with what is known of it before it is read as a mesh.
-struct Found {
+/// A file to be described.
+struct IndexJob {
   Member member;
-  std::string error;  ///< why there is no digest
+  std::string error;      ///< why it cannot be
+  bool is_known = false;  ///< it was described before, when it was another
 };
 
-std::vector<Found> find_files(const std::vector<std::string>& sources) {
-  std::vector<Found> found;
-  std::set<std::string> seen;
-  for (NamedSource& source : expand_sources(sources)) {
-    Found f;
-    f.member.name = std::move(source.name);
-    f.member.source = from_root(source.source);
-    if (seen.insert(f.member.source).second) found.push_back(std::move(f));
-  }
-  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
-    try {
-      found[i].member.digest = source_digest(found[i].member.source);
-    } catch (const std::exception& e) {
-      found[i].error = e.what();
+class IndexUpdate final : public corpus::JobHandler {
+ public:
+  IndexUpdate(Database& database, const IndexOptions& options)
+      : database_(database), options_(options), terms_(make_terms(database.descriptor())) {
+    for (const fs::path& file : options.done) {
+      done_.emplace_back(file);
+      if (done_.back().descriptor() != database.descriptor())
+        throw ParameterError(file.string() + ": holds signatures of '" + done_.back().descriptor() + "', not of '" +
+                             database.descriptor() + "'");
     }
-  });
-  std::ranges::stable_sort(found, {}, [](const Found& f) -> const std::string& { return f.member.name; });
-  for (std::size_t i = 1; i < found.size(); ++i)  // two lists may use one name
-    if (found[i].member.name == found[i - 1].member.name) found[i].member.name = found[i].member.source;
-  return found;
-}
+  }
+
+  IndexSummary run(const std::vector<std::string>& sources, const LoopControl& control) {
+    std::vector<FoundFile> found = find_files(sources);
+    std::set<std::string> present;
+    for (const FoundFile& f : found) present.insert(f.member.source);
+    plan(digested(std::move(found), options_.shard), present, sources);
+    describe(control);
+    for (auto& [name, error] : errors_) summary_.errors.push_back(std::move(error));
+    return std::move(summary_);
+  }
+
+ private:
+  /// What is there, what moved, what is gone: all at once, so that a name is never taken twice.
+  void plan(std::vector<FoundFile> found, const std::set<std::string>& present,
+            const std::vector<std::string>& sources) {
+    std::erase_if(found, [this](const FoundFile& f) { return is_elsewhere(f.member); });
+    std::set<std::string> own;
+    for (const FoundFile& f : found) own.insert(f.member.source);
+    for (Member& member : database_.members()) {
+      names_.insert(member.name);
+      by_source_.emplace(member.source, std::move(member));
+    }
+    database_.begin();
+    find_gone(present, own, sources);
+    for (FoundFile& f : found) look_at(std::move(f));
+    for (const auto& [id, member] : gone_) {
+      database_.remove(id);
+      if (member.status != MemberStatus::kLeft) ++summary_.removed;
+    }
+    // New files have rows from now on, so that a database tells how far it is, and ids that do not depend on the order
+    // in which they are done.
+    for (IndexJob& job : jobs_)
+      if (job.member.id == 0) job.member.id = database_.put(job.member, nullptr);
+    database_.begin_run(options_.shard.to_string());
+    database_.commit();
+  }
+
+  bool is_elsewhere(const Member& member) {
+    for (Database& other : done_) {
+      const auto known = other.find(member.name);
+      if (known && !member.digest.empty() && known->digest == member.digest &&
+          (known->status == MemberStatus::kDone || (known->status == MemberStatus::kFailed && !options_.retry))) {
+        ++summary_.elsewhere;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void find_gone(const std::set<std::string>& present, const std::set<std::string>& own,
+                 const std::vector<std::string>& sources) {
+    std::vector<std::string> tops;
+    for (const std::string& source : sources) tops.push_back(from_root(source));
+    for (const auto& [source, member] : by_source_) {
+      const bool within = std::ranges::any_of(tops, [&](const std::string& top) { return is_within(source, top); });
+      if (own.contains(source)) continue;
+      if (member.status == MemberStatus::kLeft) {  // left by a run on other shards or files
+        gone_.emplace(member.id, member);
+        continue;
+      }
+      // In another shard, or outside of what is looked at: there only a file that is not there any more can have moved.
+      if (present.contains(source) || (!within && (is_shape_source(source) || fs::exists(file_of(source))))) {
+        if (member.status == MemberStatus::kDone) stays(member, member.digest);
+        continue;
+      }
+      if (!member.digest.empty()) gone_by_digest_[member.digest].push_back(member);
+      if (within) gone_.emplace(member.id, member);
+    }
+  }
+
+  void look_at(FoundFile found) {
+    Member& own = found.member;
+    bool is_known = false;
+    if (const auto known = by_source_.find(own.source); known != by_source_.end()) {
+      const Member& old = known->second;
+      own.id = old.id;
+      own.name = old.name;
+      is_known = old.status != MemberStatus::kLeft;
+      const bool again = old.status == MemberStatus::kFailed && options_.retry;
+      if (is_known && !again && old.digest == own.digest && !own.digest.empty()) {
+        if (old.status == MemberStatus::kFailed) errors_.emplace(old.name, old.error);
+        if (old.status == MemberStatus::kDone) stays(own, own.digest);
+        ++summary_.unchanged;
+        return;
+      }
+    } else {
+      const auto moved = gone_by_digest_.find(own.digest);
+      const bool has_moved = !own.digest.empty() && moved != gone_by_digest_.end() && !moved->second.empty();
+      const Member old = has_moved ? moved->second.back() : Member();
+      if (has_moved) {
+        moved->second.pop_back();
+        own.id = old.id;
+        gone_.erase(old.id);
+      }
+      if (old.status == MemberStatus::kDone) names_.erase(old.name);
+      if (names_.contains(own.name)) own.name = own.source;
+      names_.insert(own.name);
+      if (old.status == MemberStatus::kDone) {
+        database_.rename(own);
+        stays(own, own.digest);
+        ++summary_.moved;
+        return;
+      }
+      is_known = has_moved;
+    }
+    jobs_.push_back({std::move(own), std::move(found.error), is_known});
+  }
+
+  /// A member whose row stays as it is; files with the same bytes can take its signature.
+  void stays(const Member& member, const std::string& digest) {
+    if (!digest.empty()) by_digest_.emplace(digest, member.id);
+  }
+
+  void describe(const LoopControl& control) {
+    std::map<std::string, std::size_t> first;  // of the files with the same bytes, by digest
+    std::vector<NamedSource> to_do;
+    for (std::size_t k = 0; k < jobs_.size(); ++k) {
+      const Member& member = jobs_[k].member;
+      if (member.digest.empty()) fail(k, jobs_[k].error);
+      else if (by_digest_.contains(member.digest)) copy(k);
+      else if (const auto [same, is_first] = first.emplace(member.digest, k); !is_first)
+        copies_[same->second].push_back(k);
+      else {
+        to_do.push_back({member.name, member.source, {}});
+        index_of_.push_back(k);
+      }
+    }
+    if (options_.workers) {
+      const corpus::Task task{kIndexTask, {{"descriptor", database_.descriptor()}}};
+      corpus::run_jobs(to_do, task, *options_.workers, false, *this, control);
+    } else {
+      std::vector<std::string> sources;
+      for (const NamedSource& source : to_do) sources.push_back(source.source);
+      for_each_in_order<DescribedMesh>(
+          sources, [&](std::size_t i) { return describe_source(sources[i], terms_); },
+          [&](std::size_t i, Outcome<DescribedMesh>&& outcome) { take(index_of_[i], std::move(outcome)); }, control);
+    }
+    summary_.complete = finished_ == jobs_.size();
+  }
+
+  bool read(std::size_t, const Json&) override { return true; }
+
+  void finish(std::size_t i, corpus::Answer&& answer) override {
+    const std::size_t k = index_of_[i];
+    Outcome<DescribedMesh> outcome;
+    if (answer.status == corpus::RowStatus::kDone) outcome.value = described_mesh(answer, terms_);
+    else outcome.error = error_about(jobs_[k].member.source, answer.error);
+    take(k, std::move(outcome));
+  }
+
+  /// Puts what was described into the database, and copies of the same bytes.
+  void take(std::size_t k, Outcome<DescribedMesh>&& outcome) {
+    if (!outcome.value) {
+      fail(k, printable(outcome.error));
+    } else {
+      Member& made = outcome.value->member;
+      const Member& own = jobs_[k].member;
+      made.id = own.id;
+      made.name = own.name;
+      made.source = own.source;
+      made.digest = own.digest;
+      ++(jobs_[k].is_known ? summary_.changed : summary_.added);
+      put(made, &outcome.value->parts);
+    }
+    for (const std::size_t same : copies_[k]) copy(same);
+  }
+
+  /// Takes the row of another file with the same bytes, which is done or has failed.
+  void copy(std::size_t k) {
+    const Member& own = jobs_[k].member;
+    Member same = *database_.find_id(by_digest_.at(own.digest));
+    if (same.status == MemberStatus::kFailed) return fail(k, same.error);
+    const Parts parts = database_.signature(same.id);
+    same.id = own.id;
+    same.name = own.name;
+    same.source = own.source;
+    ++summary_.copied;
+    put(same, &parts);
+  }
+
+  void fail(std::size_t k, const std::string& error) {
+    Member member = jobs_[k].member;
+    member.status = MemberStatus::kFailed;
+    member.error = error;
+    errors_.emplace(member.name, error);
+    put(member, nullptr);
+  }
+
+  void put(const Member& member, const Parts* parts) {
+    stays(member, member.digest);
+    database_.put(member, parts);
+    ++finished_;
+  }
+
+  Database& database_;
+  const IndexOptions& options_;
+  const std::vector<retrieval::DescriptorPointer> terms_;
+  std::vector<Database> done_;
+  IndexSummary summary_;
+  std::map<std::string, std::string> errors_;  ///< by the members' names
+
+  std::map<std::string, Member> by_source_;
+  std::set<std::string> names_;
+  std::map<std::string, std::vector<Member>> gone_by_digest_;
+  std::map<std::int64_t, Member> gone_;
+  std::map<std::string, std::int64_t> by_digest_;  ///< members that are done or have failed, by their files' digests
+
+  std::vector<IndexJob> jobs_;
+  std::vector<std::size_t> index_of_;                       ///< those that are described, of all jobs
+  std::map<std::size_t, std::vector<std::size_t>> copies_;  ///< jobs with the same bytes as one that is described
+  std::size_t finished_ = 0;
+};
 
 }  // namespace
-
-std::vector<retrieval::DescriptorPointer> make_terms(const std::string& descriptor) {
-  std::vector<retrieval::DescriptorPointer> terms;
-  for (const retrieval::Term& term : retrieval::parse_composite(descriptor))
-    terms.push_back(retrieval::descriptors().make(term.spec));
-  return terms;
-}
 
 std::string descriptor_for(const fs::path& file, const std::string& wanted) {
   if (!wanted.empty()) return wanted;
   return fs::exists(file) ? Database(file).descriptor() : "best";
 }
 
-DescribedMesh describe_mesh(Mesh mesh, const std::vector<retrieval::DescriptorPointer>& terms) {
-  const double begin = seconds_of_thread();
-  const retrieval::Model model(std::move(mesh));
-  DescribedMesh described;
-  for (const auto& term : terms) described.parts.push_back(term->describe(model));
-  Member& m = described.member;
-  m.status = MemberStatus::kDone;
-  m.faces = model.mesh().triangles.size();
-  m.rectilinearity = model.rectilinearity();
-  m.size = largest_extent(model.mesh());
-  m.seconds = seconds_of_thread() - begin;
-  return described;
-}
-
-DescribedMesh describe_source(const std::string& source, const std::vector<retrieval::DescriptorPointer>& terms) {
-  const double begin = seconds_of_thread();
-  DescribedMesh described = describe_mesh(load_mesh(source).mesh, terms);
-  described.member.seconds = seconds_of_thread() - begin;
-  return described;
-}
-
-IndexSummary update_index(Database& database, const std::vector<std::string>& sources, const LoopControl& control) {
-  IndexSummary summary;
-  std::vector<Found> found = find_files(sources);
-  std::map<std::string, Member> by_source;
-  std::set<std::string> names;
-  for (Member& member : database.members()) {
-    names.insert(member.name);
-    by_source.emplace(member.source, std::move(member));
-  }
-  std::map<std::string, std::int64_t> by_digest;  // members whose rows stay as they are
-  const auto stays = [&](const Member& member, const std::string& digest) {
-    if (!digest.empty()) by_digest.emplace(digest, member.id);
-  };
-
-  // What is there, what moved, what is gone: all at once, so that a name is never taken twice.
-  std::set<std::string> present;
-  for (const Found& f : found) present.insert(f.member.source);
-  std::vector<std::string> tops;
-  for (const std::string& source : sources) tops.push_back(from_root(source));
-  std::map<std::string, std::vector<Member>> gone_by_digest;
-  std::map<std::int64_t, Member> gone;
-  for (const auto& [source, member] : by_source) {
-    const bool within = std::ranges::any_of(tops, [&](const std::string& top) { return is_within(source, top); });
-    if (present.contains(source)) continue;
-    // Outside of what is looked at, only a file that is not there any more can have moved into it.
-    if (!within && (is_shape_source(source) || fs::exists(file_of(source)))) {
-      if (member.status == MemberStatus::kDone) stays(member, member.digest);
-      continue;
-    }
-    if (!member.digest.empty()) gone_by_digest[member.digest].push_back(member);
-    if (within) gone.emplace(member.id, member);
-  }
-  std::vector<std::size_t> todo;
-  database.begin();
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    Member& own = found[i].member;
-    const auto known = by_source.find(own.source);
-    if (known != by_source.end()) {
-      own.id = known->second.id;
-      own.name = known->second.name;
-      if (known->second.digest == own.digest && !own.digest.empty() && known->second.status != MemberStatus::kLeft) {
-        if (known->second.status == MemberStatus::kFailed) summary.errors.push_back(known->second.error);
-        if (known->second.status == MemberStatus::kDone) stays(own, own.digest);
-        ++summary.unchanged;
-        continue;
-      }
-      todo.push_back(i);
-      continue;
-    }
-    const auto moved = gone_by_digest.find(own.digest);
-    if (!own.digest.empty() && moved != gone_by_digest.end() && !moved->second.empty()) {
-      const Member old = moved->second.back();
-      moved->second.pop_back();
-      own.id = old.id;
-      gone.erase(old.id);
-      if (old.status == MemberStatus::kDone) {
-        names.erase(old.name);
-        if (names.contains(own.name)) own.name = own.source;
-        names.insert(own.name);
-        database.rename(own);
-        stays(own, own.digest);
-        ++summary.moved;
-        continue;
-      }
-    }
-    if (names.contains(own.name)) own.name = own.source;
-    names.insert(own.name);
-    todo.push_back(i);
-  }
-  for (const auto& [id, member] : gone) {
-    database.remove(id);
-    ++summary.removed;
-  }
-  database.commit();
-
-  const std::vector<retrieval::DescriptorPointer> terms = make_terms(database.descriptor());
-  std::vector<std::string> texts;
-  for (const std::size_t i : todo) texts.push_back(found[i].member.name);
-  // Of files with the same bytes the first is described, and only if no member is.
-  std::map<std::string, std::size_t> first;
-  for (std::size_t k = 0; k < todo.size(); ++k)
-    if (const std::string& digest = found[todo[k]].member.digest; !digest.empty()) first.emplace(digest, k);
-  std::vector<char> is_copy(todo.size());
-  for (std::size_t k = 0; k < todo.size(); ++k) {
-    const std::string& digest = found[todo[k]].member.digest;
-    is_copy[k] = !digest.empty() && (by_digest.contains(digest) || first.at(digest) != k);
-  }
-  const auto work = [&](std::size_t k) {
-    const Found& f = found[todo[k]];
-    if (!f.error.empty()) throw std::runtime_error(f.error);
-    if (is_copy[k]) return DescribedMesh();
-    return describe_source(f.member.source, terms);
-  };
-  const auto deliver = [&](std::size_t k, Outcome<DescribedMesh>&& outcome) {
-    Member member = found[todo[k]].member;
-    const bool known = member.id != 0;
-    Parts parts;
-    std::string error = printable(outcome.error);
-    if (outcome.value && is_copy[k]) {  // the first of its kind is in the database, done or failed
-      Member copy = *database.find_id(by_digest.at(member.digest));
-      parts = database.signature(copy.id);
-      copy.id = member.id;
-      copy.name = member.name;
-      copy.source = member.source;
-      member = std::move(copy);
-      if (member.status == MemberStatus::kFailed) error = member.error;
-      if (error.empty()) ++summary.copied;
-    } else if (outcome.value) {
-      Member& made = outcome.value->member;
-      made.id = member.id;
-      made.name = member.name;
-      made.source = member.source;
-      made.digest = member.digest;
-      member = std::move(made);
-      parts = std::move(outcome.value->parts);
-    }
-    if (!error.empty()) {
-      member.status = MemberStatus::kFailed;
-      member.error = error;
-      summary.errors.push_back(error);
-    } else if (!is_copy[k]) {
-      ++(known ? summary.changed : summary.added);
-    }
-    const std::int64_t id = database.put(member, parts.empty() ? nullptr : &parts);
-    if (!member.digest.empty()) by_digest.emplace(member.digest, id);
-  };
-  summary.complete = for_each_in_order<DescribedMesh>(texts, work, deliver, control) == texts.size();
-  return summary;
+IndexSummary update_index(Database& database, const std::vector<std::string>& sources, const LoopControl& control,
+                          const IndexOptions& options) {
+  return IndexUpdate(database, options).run(sources, control);
 }
 
 }  // namespace rectilin::search

@@ -102,4 +102,29 @@ bits plain.db plain && bits "$OUT/all.db" all || fail 'export'
 [ "$(wc -l <plain.bits)" -eq 262 ] && cmp plain.bits all.bits || fail 'the bits of the run without Slurm'
 [ "$(grep -c '"status":"failed"' all.bits)" -eq 2 ] || fail 'two meshes that cannot be measured'
 
+# The other commands: a comparison, of which the merge makes the page, and an index with a file that is no mesh.
+unset SHARDS
+in_array() {
+  local array
+  array=$(submit --array=0-2 "$scripts/corpus.sbatch" "$@") || fail "sbatch of $COMMAND"
+  submit --dependency="afterok:$array" "$scripts/corpus.sbatch" >/dev/null || fail "sbatch of the merge of $COMMAND"
+  for _ in $(seq 600); do [ -z "$(squeue -h)" ] && break; sleep 0.5; done
+  cat rectilin-*.log >out 2>&1
+}
+lines() { sed -E 's/"(cpu_)?seconds":(\[[^]]*\]|[^,]*)//g; s/"threads":[0-9]*//' "$1" | sort; }
+export COMMAND=compare OUT=$work/compared
+"$rectilin" compare shape:box shape:pyramid -o ga,random -k 5 -b 300 -O plain >/dev/null 2>&1
+in_array shape:box shape:pyramid -o ga,random -k 5 -b 300
+[ -s "$OUT/comparison/index.html" ] || fail 'the page of the comparison'
+lines plain/runs.jsonl >a; lines "$OUT/comparison/runs.jsonl" >b
+[ "$(wc -l <b)" -eq 20 ] && cmp a b || fail 'the runs of the comparison without Slurm'
+
+export COMMAND=index OUT=$work/indexed
+for i in 3 4 5 6 7 8 9; do echo "shape:prism?sides=$i"; done >shapes.txt
+echo missing.off >>shapes.txt
+"$rectilin" index "$work/shapes.txt" -o shapes.db -d r >/dev/null 2>&1
+in_array "$work/shapes.txt" -d r
+for file in shapes.db "$OUT/all.db"; do "$rectilin" search "$file" --like 'shape:prism?sides=5' --json; done >out 2>&1
+[ "$(wc -l <out)" -eq 2 ] && [ "$(sort -u out | wc -l)" -eq 1 ] || fail 'the shapes of an index without Slurm'
+
 finish slurm

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <sstream>
 #include <thread>
 
 #include "corpus/fixtures.h"
@@ -95,6 +96,63 @@ TEST_CASE("what hangs, crashes or fills the memory costs its own row", "[corpus]
     options.retry = true;
     CHECK(run(file, meshes, options, settings).limited == 3);
     CHECK(rows_of(file) == rows);
+  }
+}
+
+TEST_CASE("the mesh in work is to blame, and the one that waits behind it is not lost", "[corpus]") {
+  const ScratchFolder folder;
+  const std::vector<NamedSource> meshes = prisms(9);
+  const Json settings = {{"crash", faces_of(meshes[2])}, {"fill", faces_of(meshes[3])}, {"hang", faces_of(meshes[5])}};
+  CorpusOptions options = with_workers(1);
+  options.seconds = 3;  // for eight that need milliseconds
+  options.memory = std::uint64_t{64} << 20;
+  const CorpusSummary summary = run(folder.path() / "store.db", meshes, options, settings);
+  CHECK(summary.done == 6);
+  CHECK(summary.limited == 3);
+  const auto rows = rows_of(folder.path() / "store.db");
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    CHECK((rows[i].status == RowStatus::kLimited) == (i == 2 || i == 3 || i == 5));
+}
+
+TEST_CASE("a mesh does not wait behind a long one while another worker has nothing to do", "[corpus]") {
+  const ScratchFolder folder;
+  const std::vector<NamedSource> meshes = prisms(3);  // the third is sent behind the first
+  run(folder.path() / "store.db", meshes, with_workers(2), {{"slow", faces_of(meshes[0])}});
+  Store store(folder.path() / "store.db");
+  CHECK(store.find("prism 0")->status == RowStatus::kDone);
+  CHECK(store.find("prism 2")->finished < store.find("prism 0")->finished);
+}
+
+TEST_CASE("a worker that is killed from outside is replaced, and nothing is blamed", "[corpus]") {
+  const ScratchFolder folder;
+  const auto file = folder.path() / "store.db";
+  const std::vector<NamedSource> meshes = prisms(60);
+  CorpusOptions options = with_workers(2);
+  int rows = 0;
+  options.on_row = [&](const Row&, const std::string&) {
+    // Every tenth row, all workers of this program.
+    if (++rows % 10 != 0) return;
+    const std::string list = "/proc/" + std::to_string(getpid()) + "/task/" + std::to_string(getpid()) + "/children";
+    std::istringstream children(text_of(list));
+    for (pid_t child = 0; children >> child;) kill(child, SIGKILL);
+  };
+  const CorpusSummary summary = run(file, meshes, options, {{"pause", 5}});
+  CHECK(summary.done + summary.limited == 60);
+  CHECK(summary.limited <= 1);  // one that was killed twice looks as if it were to blame
+}
+
+TEST_CASE("results that depend on names are not shared", "[corpus]") {
+  const ScratchFolder folder;
+  std::vector<NamedSource> meshes;
+  for (int i = 0; i < 10; ++i) meshes.push_back({"copy " + std::to_string(i), "shape:box", ""});
+  CorpusOptions options = with_workers(2);
+  options.share = false;
+  const CorpusSummary summary = run(folder.path() / "store.db", meshes, options);
+  CHECK(summary.done == 10);
+  CHECK(summary.copied == 0);
+  for (const Row& row : rows_of(folder.path() / "store.db")) {
+    CHECK_FALSE(row.digest.empty());
+    CHECK_FALSE(row.result.empty());
   }
 }
 

@@ -1,4 +1,5 @@
-// A worker for the tests: its task's settings say which numbers of faces make it hang, crash or fill its memory.
+// A worker for the tests: its task's settings say which numbers of faces make it hang, be slow, crash or fill its
+// memory.
 #include <csignal>
 #include <thread>
 #include <vector>
@@ -20,6 +21,7 @@ corpus::WorkResult work(const LoadedMesh& mesh, const Json& settings) {
     while (memory.size() < 4096) memory.emplace_back(1 << 20, 'x');
   }
   if (is("fail")) throw MeshError("faces of an unlucky number");
+  if (is("slow")) std::this_thread::sleep_for(std::chrono::seconds(2));
   if (const int pause = settings.value("pause", 0); pause > 0)
     std::this_thread::sleep_for(std::chrono::milliseconds(pause));
   double sum = 0;
@@ -37,6 +39,6 @@ corpus::WorkResult work(const LoadedMesh& mesh, const Json& settings) {
 
 int main() {
   return corpus::run_worker(3, [](const corpus::Task& task, std::optional<double>) -> corpus::Work {
-    return [settings = task.settings](const LoadedMesh& mesh) { return work(mesh, settings); };
+    return [settings = task.settings](const NamedSource&, const LoadedMesh& mesh) { return work(mesh, settings); };
   });
 }

@@ -5,6 +5,7 @@
 #include "rectilin/mesh/mesh_io.h"
 #include "rectilin/mesh/shapes.h"
 #include "rectilin/mesh/source.h"
+#include "rectilin/search/describe.h"
 #include "rectilin/search/index.h"
 #include "support/catch.h"
 #include "support/scratch_folder.h"

@@ -1,7 +1,10 @@
 #include "archive/members.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <list>
 #include <memory>
 #include <mutex>
@@ -22,16 +25,14 @@ constexpr std::string_view kSeparator = "::";
 /// A file as it was when it was opened. A file that has been written since then has another state.
 struct FileState {
   std::string path;
-  std::uintmax_t size = 0;
-  fs::file_time_type changed = {};
+  std::int64_t size = 0, changed = 0;  ///< bytes, and nanoseconds since 1970
   bool operator==(const FileState&) const = default;
 };
 
 FileState state_of(const std::string& path) {
-  std::error_code ignored;  // if the file is missing, opening it says so
-  FileState state{path, fs::file_size(path, ignored), {}};
-  state.changed = fs::last_write_time(path, ignored);
-  return state;
+  struct stat about {};  // all zero if the file is missing: opening it says so
+  if (stat(path.c_str(), &about) != 0) return {path};
+  return {path, about.st_size, std::int64_t{about.st_mtim.tv_sec} * 1'000'000'000 + about.st_mtim.tv_nsec};
 }
 
 bool is_zip_name(std::string_view file) {

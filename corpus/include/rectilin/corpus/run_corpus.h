@@ -14,21 +14,17 @@
 #include "rectilin/base/batch.h"
 #include "rectilin/corpus/shard.h"
 #include "rectilin/corpus/store.h"
+#include "rectilin/corpus/worker_pool.h"
 
 namespace rectilin::corpus {
 
-struct CorpusOptions {
-  /// The command, with its arguments, that starts a worker: a program that calls run_worker(3, ...). Its first word is
-  /// a path.
-  std::vector<std::string> worker_command;
-  int workers = 1;                          ///< worker processes at a time
-  std::optional<double> seconds;            ///< time limit for each mesh, reading it included
-  std::optional<std::uint64_t> memory;      ///< bytes that a worker may use on top of what it has when it starts
+struct CorpusOptions : WorkerOptions {
   bool retry = false;                       ///< do meshes again that failed or were limited
+  bool share = true;                        ///< work on meshes with the same digest once: results depend on no names
   std::vector<std::filesystem::path> done;  ///< other stores of this task: their meshes are skipped
   /// Called for each row once it is in the store, one call at a time, with summary() of what the mesh's reader
   /// left out.
-  std::function<void(const Row& row, const std::string& left_out)> on_row;
+  std::function<void(const Row& row, const std::string& left_out)> on_row = {};
 };
 
 struct CorpusSummary {
@@ -38,10 +34,10 @@ struct CorpusSummary {
   std::size_t left = 0;                           ///< meshes not done because of a stop
 };
 
-/// Does the meshes that are in the shard and not yet in the store. Each is read and worked on by a worker process. One
-/// that hangs, crashes or takes too much memory gets a row that says so, and its worker is replaced. The search may
-/// take `seconds`; a worker that is silent for 1.1 times that and one second more is killed. Meshes with the same
-/// digest are worked on once. After a stop the meshes in work are left for the next run. Throws what Store throws.
+/// Does the meshes that are in the shard and not yet in the store, by run_jobs(). One that hangs, crashes or takes too
+/// much memory gets a row that says so. A result's `times`, if it has such a member, goes into the row's report, since
+/// results must not differ between equal runs. After a stop the meshes in work are left for the next run. Throws what
+/// Store and run_jobs() throw.
 CorpusSummary run_corpus(std::span<const NamedSource> meshes, const Shard& shard, Store& store, const Task& task,
                          const CorpusOptions& options, const LoopControl& control = {});
 

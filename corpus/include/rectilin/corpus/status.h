@@ -19,4 +19,8 @@ struct StoreStatus {
 /// Throws std::runtime_error as Store does. The store may be in use.
 StoreStatus status_of(const std::filesystem::path& store);
 
+/// Sets rate and time left of a run that began at `started` and has finished so many meshes, the last of them at `last`
+/// (seconds since 1970). The rate is counted up to now if the run goes on, otherwise up to its last mesh.
+void set_rate(StoreStatus& status, std::size_t finished, double started, double last);
+
 }  // namespace rectilin::corpus

@@ -52,9 +52,13 @@ struct Row {
 
 /// The task whose results a store holds. Stores of different tasks cannot be mixed.
 struct Task {
-  std::string name;  ///< "measure"
+  std::string name;  ///< "measure", "pose" or "compare"
   Json settings;
+  bool operator==(const Task&) const = default;
 };
+
+/// How two tasks differ, for error messages: "'measure' with {"seed":1}, not with {"seed":2}".
+std::string difference(const Task& found, const Task& wanted);
 
 /// A store that is open. Not thread safe. Throws std::runtime_error, "FILE: reason", if the file cannot be read or
 /// written or is not a store.
@@ -93,5 +97,8 @@ class Store {
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
+
+/// Is the file a store? False for one that cannot be read.
+bool is_store(const std::filesystem::path& file);
 
 }  // namespace rectilin::corpus

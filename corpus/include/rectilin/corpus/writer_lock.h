@@ -21,4 +21,7 @@ class WriterLock {
   int file_;
 };
 
+/// Does a program on this machine hold the lock of a store?
+bool is_being_written(const std::filesystem::path& store);
+
 }  // namespace rectilin::corpus

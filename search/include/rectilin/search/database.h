@@ -7,7 +7,8 @@
 //                  bytes), status (0 left to be done, 1 failed, 2 done), faces, rectilinearity, size (longest side of
 //                  the box around it, in the file's unit), error, seconds (that the signature took)
 //     signatures   member (an id), part (0, 1, ... of the descriptor's terms), bytes
-//     facts        descriptor, as the text it was made from; settings, all of them; version of the program
+//     facts        descriptor, as the text it was made from; settings, all of them; version of the program; shard,
+//                  started (seconds since 1970) and finished_before (members) of the last run
 #pragma once
 
 #include <cstdint>
@@ -70,13 +71,20 @@ class Database {
   void rename(const Member& member);
   void remove(std::int64_t id);
 
+  /// Records that work on this part, "I/N", begins, for status_of().
+  void begin_run(const std::string& shard);
+
   /// Changes that are made all or none: those between begin() and commit().
   void begin();
   void commit();
 
  private:
+  friend class DatabaseAccess;
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
+
+/// Is the file such a database? False for one that cannot be read.
+bool is_database(const std::filesystem::path& file);
 
 }  // namespace rectilin::search

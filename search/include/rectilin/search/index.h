@@ -3,13 +3,25 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "rectilin/base/batch.h"
+#include "rectilin/corpus/shard.h"
+#include "rectilin/corpus/worker_pool.h"
 #include "rectilin/search/database.h"
 
 namespace rectilin::search {
+
+struct IndexOptions {
+  corpus::Shard shard = {};                 ///< only the members of this part, by their names
+  bool retry = false;                       ///< describe files again that failed before
+  std::vector<std::filesystem::path> done;  ///< other databases: files that they have with the same bytes are skipped
+  /// Describe in worker processes, so that a mesh that hangs, crashes or fills the memory is a file that failed.
+  /// Without them, meshes are described in threads of this program and without limits.
+  std::optional<corpus::WorkerOptions> workers = {};
+};
 
 struct IndexSummary {
   std::size_t unchanged = 0;        ///< were there already, the file's bytes the same
@@ -18,32 +30,20 @@ struct IndexSummary {
   std::size_t moved = 0;            ///< the same bytes under another name, the old one gone
   std::size_t copied = 0;           ///< the same bytes as another member: its signature was taken
   std::size_t removed = 0;          ///< members whose files are gone
+  std::size_t elsewhere = 0;        ///< are in IndexOptions::done
   std::vector<std::string> errors;  ///< a line for each file that failed now or is known to
   bool complete = false;            ///< false if it was stopped; the same call goes on
 };
 
-/// What a signature is made from.
-struct DescribedMesh {
-  Member member;  ///< all but id, name, source and digest
-  Parts parts;
-};
-
-/// Describes a mesh by every term. Throws MeshError.
-DescribedMesh describe_mesh(Mesh mesh, const std::vector<retrieval::DescriptorPointer>& terms);
-
-/// Reads a mesh and describes it.
-DescribedMesh describe_source(const std::string& source, const std::vector<retrieval::DescriptorPointer>& terms);
-
 /// What a database is opened with: `wanted` or, if that is empty, the descriptor of the file, "best" if there is none.
 std::string descriptor_for(const std::filesystem::path& file, const std::string& wanted);
 
-/// The terms' descriptors, without weights.
-std::vector<retrieval::DescriptorPointer> make_terms(const std::string& descriptor);
-
 /// Makes the database's members what `sources` name: files, folders with all below, archives, lists (see
-/// expand_sources()). Members elsewhere, under none of the sources, stay as they are. Several meshes are described at a
-/// time; the database is the same for any number of threads, but for seconds. A file that fails becomes a row that says
-/// why and is tried again when its bytes change. Progress is over the files that need work.
-IndexSummary update_index(Database& database, const std::vector<std::string>& sources, const LoopControl& control = {});
+/// expand_sources()). Members elsewhere, under none of the sources or in other shards, stay as they are. Several meshes
+/// are described at a time; the database is the same for any number of threads or workers, but for seconds. A file that
+/// fails becomes a row that says why and is tried again when its bytes change. Progress is over the files that need
+/// work. Throws ParameterError if a database in `done` has another descriptor.
+IndexSummary update_index(Database& database, const std::vector<std::string>& sources, const LoopControl& control = {},
+                          const IndexOptions& options = {});
 
 }  // namespace rectilin::search

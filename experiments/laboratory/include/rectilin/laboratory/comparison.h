@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "rectilin/laboratory/plan.h"
-#include "rectilin/measure/area_vectors.h"
-#include "rectilin/mesh/mesh_io.h"
+#include "rectilin/laboratory/work.h"
 #include "rectilin/optim/objective.h"
 #include "rectilin/report/plot.h"
 
@@ -25,18 +24,6 @@ struct ComparisonProgress {
       std::numeric_limits<double>::infinity();  ///< estimated; infinite while there is nothing to go by
   std::string text;                             ///< what is being done
 };
-
-/// What a comparison needs to know about a mesh.
-struct ComparedMesh {
-  AreaVectors vectors;
-  std::size_t faces = 0;
-  std::string digest;         ///< tells whether the mesh has changed when a comparison is resumed
-  std::string left_out = {};  ///< what the reader left out: summary() of its report
-};
-
-/// Loads a mesh with load_mesh() and digests it with mesh_digest().
-ComparedMesh load_compared_mesh(const std::string& source);
-ComparedMesh compared_mesh(const LoadedMesh& loaded);
 
 struct ComparisonSettings {
   std::stop_token stop = {};
@@ -73,5 +60,11 @@ struct ComparisonOutcome {
 /// there. A stop keeps the finished runs; call again to resume.
 ComparisonOutcome run_comparison(const Plan& plan, const std::filesystem::path& folder, const Registry& registry,
                                  const ComparisonSettings& settings = {});
+
+/// Makes such a folder, with its report, from lines that were made elsewhere (see ComparisonWork). Throws what
+/// run_comparison() throws, and ParameterError if the folder holds runs that are not among them.
+report::PictureTroubles write_comparison(const Plan& plan, const std::filesystem::path& folder,
+                                         const Registry& registry, const std::string& command_line,
+                                         const std::vector<Json>& meshes, const std::vector<Json>& runs);
 
 }  // namespace rectilin::laboratory

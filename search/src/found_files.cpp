@@ -1,0 +1,62 @@
+#include "found_files.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "digest.h"
+#include "rectilin/mesh/source.h"
+
+namespace rectilin::search {
+
+namespace fs = std::filesystem;
+
+std::string from_root(const std::string& source) {
+  const std::string file = file_of(source);
+  if (file.empty()) return source;
+  return fs::absolute(file).lexically_normal().string() + source.substr(file.size());
+}
+
+bool is_within(const std::string& source, const std::string& top) {
+  if (!source.starts_with(top)) return false;
+  if (source.size() == top.size() || top.ends_with('/')) return true;
+  return source[top.size()] == '/' || source.substr(top.size(), 2) == "::";
+}
+
+std::vector<FoundFile> find_files(const std::vector<std::string>& sources) {
+  std::vector<FoundFile> found;
+  std::set<std::string> seen;
+  for (NamedSource& source : expand_sources(sources)) {
+    FoundFile f;
+    f.member.name = std::move(source.name);
+    f.member.source = from_root(source.source);
+    if (seen.insert(f.member.source).second) found.push_back(std::move(f));
+  }
+  std::ranges::stable_sort(found, {}, [](const FoundFile& f) -> const std::string& { return f.member.name; });
+  for (std::size_t i = 1; i < found.size(); ++i)  // two lists may use one name
+    if (found[i].member.name == found[i - 1].member.name) found[i].member.name = found[i].member.source;
+  return found;
+}
+
+std::vector<FoundFile> digested(std::vector<FoundFile> found, const corpus::Shard& shard) {
+  std::erase_if(found, [&](const FoundFile& f) { return !shard.contains(f.member.name); });
+  std::map<std::string, std::optional<std::string>> digest_of;  // of each file once: an archive holds many members
+  for (const FoundFile& f : found) digest_of.try_emplace(file_of(f.member.source));
+  std::vector<std::pair<const std::string, std::optional<std::string>>*> files;
+  for (auto& file : digest_of) files.push_back(&file);
+  tbb::parallel_for(std::size_t{0}, files.size(), [&](std::size_t i) {
+    files[i]->second = files[i]->first.empty() ? std::string() : file_digest(files[i]->first);
+  });
+  for (FoundFile& f : found) {
+    if (const auto& digest = digest_of[file_of(f.member.source)])
+      f.member.digest = source_digest(f.member.source, *digest);
+    else f.error = why_no_digest(f.member.source);
+  }
+  return found;
+}
+
+}  // namespace rectilin::search
