@@ -86,9 +86,9 @@ void print_groups(const search::Duplicates& found, bool json) {
         continue;
       }
       std::cout << "surfaces " << general(e.surface_distance, 2) << " radii apart, "
-                << fixed(100 * e.shared_vertices, 0) << " % of vertices on both" << (e.mirrored ? " when mirrored" : "")
-                << ", scale " << general(e.scale, 5) << ", R " << interval_text(found.members[e.first]) << " and "
-                << interval_text(found.members[e.second]) << '\n';
+                << fixed(100 * e.shared_vertices, 0) << " % of vertices the same"
+                << (e.mirrored ? " when mirrored" : "") << ", scale " << general(e.scale, 5) << ", R "
+                << interval_text(found.members[e.first]) << " and " << interval_text(found.members[e.second]) << '\n';
     }
   }
   if (!json)
@@ -198,9 +198,10 @@ void add_duplicates_command(CLI::App& app, int& status) {
       ->check(positive_number())
       ->capture_default_str();
   command
-      ->add_option("--shared", options->settings.shared,
-                   "Share of the coarser mesh's vertices on the other surface that makes it a simplified copy, though "
-                   "the surfaces are further apart; above 1: never")
+      ->add_option(
+          "--shared", options->settings.shared,
+          "Share of the coarser mesh's vertices that, if they are the other's, too, make it a simplified copy, though "
+          "the surfaces are further apart; above 1: never")
       ->check(positive_number())
       ->capture_default_str();
   command->add_option("--neighbours", options->settings.neighbours, "Neighbours of each shape that are looked at")
@@ -211,7 +212,7 @@ void add_duplicates_command(CLI::App& app, int& status) {
       "Copies are found whatever their format, position, rotation, scale and, within the tolerance, tessellation; "
       "mirror\n"
       "images are told apart. Each pair comes with how far the surfaces are apart when one is laid on the other,\n"
-      "how many of the coarser mesh's vertices lie on the other surface, and intervals of both R. Nothing is changed "
+      "how many of the coarser mesh's vertices are the other's, too, and intervals of both R. Nothing is changed "
       "or removed.\n"
       "Example: rectilin index parts/ -o parts.db; rectilin duplicates parts.db --page duplicates.html");
   command->callback([options, &status] { status = list_duplicates(*options); });

@@ -16,6 +16,7 @@ struct EvaluateOptions {
   std::string folder, classes, out = "evaluation", tune;
   std::vector<std::string> descriptors, matrices;
   std::size_t budget = 1000, folds = 5;
+  bool collection = false;
   std::uint64_t seed = 1;
   int threads = 0;
 };
@@ -45,6 +46,7 @@ int evaluate(EvaluateOptions options, const std::string& command_line) {
   if (options.descriptors.empty() && options.matrices.empty() && options.tune.empty())
     options.descriptors = {"r, d1, d2, shd, gsmd, gsmd+0.3*shd+0.1*r"};
   plan.contestants = evaluation::parse_contestants(options.descriptors);
+  plan.by_collection = options.collection;
   evaluation::add_matrices(plan.contestants, options.matrices);
   evaluation::TuningPlan tuning{options.tune, options.budget, options.folds, options.seed};
   if (!options.tune.empty()) evaluation::add_terms(plan.contestants, tuning);
@@ -104,6 +106,9 @@ void add_evaluate_command(CLI::App& app, int& status, int argc, const char* cons
                    "Distances somebody else computed, [NAME=]FILE.matrix: single precision, row by row, of all models "
                    "or of those that have a file; may be repeated")
       ->allow_extra_args(false);
+  command->add_flag("--collection", options->collection,
+                    "Each a second time, as LABEL@collection, ranked by diffusion through all models, which looks at "
+                    "them all at once, but not at their classes");
   command->add_option("--tune", options->tune,
                       "Tune the weights of such a sum (gsmd+shd+r) for DCG, cross-validated over classes; they go to "
                       "OUT/weights.json");

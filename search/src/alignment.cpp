@@ -18,9 +18,9 @@ constexpr std::size_t kFine = 8;            // every so many are used to refine
 constexpr std::size_t kFineVertices = 400;  // and so many vertices of a mesh with more
 constexpr std::size_t kRefined = 4;         // turns that are
 constexpr int kRounds = 20;
-constexpr double kOutOfReach = 0.3;   // what a sample without a foot counts for
-constexpr double kOnSurface = 0.003;  // a vertex that is nearer to a surface is on it
-constexpr double kStill = 1e-7;       // steps of a refinement that move nothing any more
+constexpr double kOutOfReach = 0.3;    // what a sample without a foot counts for
+constexpr double kSameVertex = 0.001;  // vertices that are nearer are one
+constexpr double kStill = 1e-7;        // steps of a refinement that move nothing any more
 
 }  // namespace
 
@@ -76,6 +76,9 @@ AlignedShape::AlignedShape(const retrieval::Model& model) {
   std::ranges::sort(vertices_, before);
   vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
   tree_ = SurfaceTree(std::move(triangles));
+  std::vector<SurfaceTree::Corners> points;
+  for (const Vector3& v : vertices_) points.push_back({v, v, v});
+  vertex_tree_ = SurfaceTree(std::move(points));
 }
 
 namespace {
@@ -218,7 +221,8 @@ VertexFit vertex_fit(const AlignedShape& fine, const AlignedShape& coarse, Fit f
   const std::size_t step = (coarse.vertices().size() + kFitVertices - 1) / kFitVertices;
   std::size_t on = 0, count = 0;
   for (std::size_t i = 0; i < coarse.vertices().size(); i += step, ++count)
-    on += std::isfinite(fine.tree().nearest(fit.linear * coarse.vertices()[i] + fit.shift, kOnSurface).distance);
+    on +=
+        std::isfinite(fine.vertex_tree().nearest(fit.linear * coarse.vertices()[i] + fit.shift, kSameVertex).distance);
   result.share = static_cast<double>(on) / static_cast<double>(count);
   return result;
 }

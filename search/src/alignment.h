@@ -29,12 +29,13 @@ class AlignedShape {
   const Vector3& centre() const { return centre_; }  ///< of mass, in the file's coordinates
 
   const SurfaceTree& tree() const { return tree_; }
+  const SurfaceTree& vertex_tree() const { return vertex_tree_; }  ///< of the vertices alone
   /// Those of triangles, each once.
   const std::vector<Vector3>& vertices() const { return vertices_; }
 
  private:
   std::vector<Vector3> samples_, vertices_;
-  SurfaceTree tree_{{}};
+  SurfaceTree tree_{{}}, vertex_tree_{{}};
   Vector3 moments_, centre_;
   Eigen::Matrix3d principal_, rectilinear_;
   double unit_ = 1;
@@ -55,15 +56,16 @@ Fit inverse(const Fit& fit);
 /// What a fit of the second shape to the first does to coordinates of the second file: they become those of the first.
 Placement placement(const AlignedShape& first, const AlignedShape& second, const Fit& fit);
 
-/// A fit that has the vertices of a mesh lie on a surface of which it may be a simplification.
+/// A fit that lays vertices on vertices.
 struct VertexFit {
   Fit fit;           ///< of the coarse shape to the fine one
-  double share = 0;  ///< of the coarse mesh's vertices that are on the fine one's surface, within 0.003 radii
+  double share = 0;  ///< of the coarse mesh's vertices that are vertices of the fine one, within 0.001 radii
 };
 
-/// Surfaces of a shape and of its simplification can be far apart, but most ways of simplifying leave vertices where
-/// they were or move them within the surface. `fit` is refined so that many vertices lie on the surface, those that do
-/// not count for little (an M-estimator, Huber 1964, of Geman and McClure's kind).
+/// The surfaces of a shape and of its simplification can be far apart, but most ways of simplifying leave vertices
+/// where they were. `fit` is refined so that many vertices lie on the surface of the fine shape, those that do not
+/// count for little (an M-estimator with the weights of Geman and McClure 1987). It is vertices that are counted then:
+/// of a box all eight can lie on the surface of a larger one.
 VertexFit vertex_fit(const AlignedShape& fine, const AlignedShape& coarse, Fit fit);
 
 }  // namespace rectilin::search

@@ -14,9 +14,8 @@
 namespace rectilin::search {
 namespace {
 
-constexpr double kLikeR = 0.06;        // rectilinearities of a shape and of its simplified copy differ by less
-constexpr double kLikeMoments = 0.03;  // and their shares of the second moment
-
+constexpr double kLikeR = 0.2;          // rectilinearities of a shape and of its simplified copy differ by less
+constexpr double kLikeMoments = 0.1;    // and their shares of the second moment
 constexpr double kSame = 1e-3;          // surfaces that are nearer are the same without a reflection
 constexpr double kClearlyNearer = 0.5;  // a reflection counts if it fits so much better
 

@@ -13,10 +13,10 @@ namespace rectilin::search {
 
 struct DuplicateOptions {
   std::size_t neighbours = 10;  ///< of each member so many are looked at more closely
-  double widest = 0.65;         ///< and of these those that are no further by the descriptor; in typical distances
+  double widest = 0.6;          ///< and of these those that are no further by the descriptor; in typical distances
   double tolerance = 0.015;     ///< largest distance of the surfaces, root mean square, in radii of the shape
-  double shared = 0.9;          ///< or this share of the coarser mesh's vertices lies on the other surface, and
-  double loose = 0.12;          ///< the surfaces are no further apart than this: a simplified copy
+  double shared = 0.6;          ///< or this share of the coarser mesh's vertices are vertices of the other, and
+  double loose = 0.2;           ///< the surfaces are no further apart than this: a simplified copy
 };
 
 /// How a pair was found to be one shape. The second mesh is turned, scaled and moved onto the first, and mirrored if
@@ -25,7 +25,7 @@ struct DuplicateEvidence {
   std::size_t first, second;   ///< members
   double descriptor_distance;  ///< by the database's descriptor
   double surface_distance;     ///< root mean square over both surfaces, in radii (root mean square from the centre)
-  double shared_vertices;      ///< share of the coarser mesh's vertices on the other's surface, within 0.003 radii
+  double shared_vertices;      ///< share of the coarser mesh's vertices that are the other's, within 0.001 radii
   bool mirrored;               ///< a mirror image: after a reflection the surfaces are less than half as far apart
   bool same_bytes;             ///< the files are the same
   double scale;                ///< size of the second over that of the first
@@ -48,7 +48,7 @@ struct Duplicates {
 
 /// Finds them: neighbours by descriptor are brought onto each other, by their principal axes and by the frames of their
 /// largest rectilinearity in all 24 rotations with and without a reflection, the fit refined; what is left between the
-/// surfaces decides, or that the vertices of the coarser mesh lie on the finer surface, as a simplified copy's do.
+/// surfaces decides, or that vertices of the coarser mesh are vertices of the finer one, as a simplified copy's are.
 /// Reads the files of candidates; nothing is changed or removed. The result does not depend on the number of threads.
 Duplicates find_duplicates(Database& database, const DuplicateOptions& options = {}, const LoopControl& control = {});
 
