@@ -8,6 +8,7 @@
 
 #include "commands.h"
 #include "options.h"
+#include "rectilin/base/printable.h"
 #include "rectilin/base/whole_file.h"
 #include "rectilin/mesh/source.h"
 #include "rectilin/search/duplicates.h"
