@@ -16,7 +16,7 @@ struct Placement {
 
 /// The first mesh and over it the second, placed, as a square PNG file of `size` pixels a row (1 to 5461), from in
 /// front, the right and above in the frame of the first's largest rectilinearity. What coincides is grey, as in
-/// thumbnails; what only the first has is blue, what only the second has is red.
+/// thumbnails; what only the first has is blue, what only the second has is orange.
 std::string overlay_picture(const Mesh& first, const Mesh& second, const Placement& placement, int size = 280);
 
 }  // namespace rectilin::search
