@@ -16,6 +16,7 @@ struct EvaluateOptions {
   std::string folder, classes, out = "evaluation", tune;
   std::vector<std::string> descriptors, matrices, lfd;
   std::size_t budget = 1000, folds = 5;
+  bool collection = false;
   std::uint64_t seed = 1;
   int threads = 0;
 };
@@ -45,6 +46,7 @@ int evaluate(EvaluateOptions options, const std::string& command_line) {
   if (options.descriptors.empty() && options.matrices.empty() && options.lfd.empty() && options.tune.empty())
     options.descriptors = {"r, d1, d2, shd, gsmd, gsmd+0.3*shd+0.1*r"};
   plan.contestants = evaluation::parse_contestants(options.descriptors);
+  plan.by_collection = options.collection;
   using Kind = evaluation::Contestant::Kind;
   evaluation::add_foreign(plan.contestants, options.matrices, Kind::kMatrix);
   evaluation::add_foreign(plan.contestants, options.lfd, Kind::kLfdFiles);
@@ -112,6 +114,9 @@ void add_evaluate_command(CLI::App& app, int& status, int argc, const char* cons
           "Signatures by the light field descriptor's own program, [NAME=]FOLDER with X.art, .fd, .cir and "
           ".ecc (or mX.art ...) of each model; 'rectilin describe -d lfd:ntu' writes such, too; may be repeated")
       ->allow_extra_args(false);
+  command->add_flag("--collection", options->collection,
+                    "Each a second time, as LABEL@collection, ranked by diffusion through all models, which looks at "
+                    "them all at once, but not at their classes");
   command->add_option("--tune", options->tune,
                       "Tune the weights of such a sum (gsmd+shd+r) for DCG, cross-validated over classes; they go to "
                       "OUT/weights.json");

@@ -5,39 +5,22 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "rectilin/base/rotation.h"
 
 namespace rectilin::search {
 namespace {
 
-constexpr std::size_t kFitSamples = 2000;  // of a surface
-constexpr std::size_t kCoarse = 10;        // every so many decide which turns are worth refining
-constexpr std::size_t kFine = 2;           // every so many are used to refine
-constexpr std::size_t kRefined = 3;        // turns that are
+constexpr std::size_t kFitSamples = 2000;   // of a surface
+constexpr std::size_t kFitVertices = 2000;  // of a mesh with more so many are looked at
+constexpr std::size_t kCoarse = 20;         // every so many samples decide which turns are worth refining
+constexpr std::size_t kFine = 8;            // every so many are used to refine
+constexpr std::size_t kFineVertices = 400;  // and so many vertices of a mesh with more
+constexpr std::size_t kRefined = 4;         // turns that are
 constexpr int kRounds = 20;
-
-/// The point of a triangle nearest to p (Ericson 2004, section 5.1.5).
-Vector3 nearest_of_triangle(const Vector3& p, const std::array<Vector3, 3>& t) {
-  const Vector3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0];
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0 && d2 <= 0) return t[0];
-  const Vector3 bp = p - t[1];
-  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0 && d4 <= d3) return t[1];
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return t[0] + d1 / (d1 - d3) * ab;
-  const Vector3 cp = p - t[2];
-  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0 && d5 <= d6) return t[2];
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return t[0] + d2 / (d2 - d6) * ac;
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return t[1] + (d4 - d3) / (d4 - d3 + d5 - d6) * (t[2] - t[1]);
-  const double sum = va + vb + vc;
-  return sum > 0 ? Vector3(t[0] + vb / sum * ab + vc / sum * ac) : t[0];
-}
+constexpr double kOutOfReach = 0.3;    // what a sample without a foot counts for
+constexpr double kSameVertex = 0.001;  // vertices that are nearer are one
+constexpr double kStill = 1e-7;        // steps of a refinement that move nothing any more
 
 }  // namespace
 
@@ -67,11 +50,12 @@ AlignedShape::AlignedShape(const retrieval::Model& model) {
   if (principal_.determinant() < 0) principal_.row(2) *= -1;
   rectilinear_ = model.frame("rectilinear").rotation.matrix();
   unit_ = rms / frame.scale;
-  disc_ = 1.5 * std::sqrt(area / (rms * rms) / (std::numbers::pi * kFitSamples));
+  centre_ = frame.centre;
 
+  std::vector<SurfaceTree::Corners> triangles;
   for (const Triangle& t : mesh.triangles)
-    triangles_.push_back({principal_ * mesh.vertices[t[0]] / rms, principal_ * mesh.vertices[t[1]] / rms,
-                          principal_ * mesh.vertices[t[2]] / rms});
+    triangles.push_back({principal_ * mesh.vertices[t[0]] / rms, principal_ * mesh.vertices[t[1]] / rms,
+                         principal_ * mesh.vertices[t[2]] / rms});
   std::size_t triangle = 0;
   for (std::size_t k = 0; k < kFitSamples; ++k) {
     const double at = area * (static_cast<double>(k) + 0.5) / kFitSamples;
@@ -80,124 +64,100 @@ AlignedShape::AlignedShape(const retrieval::Model& model) {
     double u = std::fmod(0.5 + 0.7548776662466927 * static_cast<double>(k), 1.0);
     double v = std::fmod(0.5 + 0.5698402909980532 * static_cast<double>(k), 1.0);
     if (u + v > 1) u = 1 - u, v = 1 - v;
-    const auto& t = triangles_[triangle];
-    samples_.push_back({t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]), (t[1] - t[0]).cross(t[2] - t[0]).normalized(),
-                        static_cast<std::uint32_t>(triangle)});
+    const auto& t = triangles[triangle];
+    samples_.push_back(t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]));
   }
 
-  cell_ = 0.15;
-  low_ = samples_[0].point;
-  Vector3 high = low_;
-  for (const Sample& s : samples_) {
-    low_ = low_.cwiseMin(s.point);
-    high = high.cwiseMax(s.point);
-  }
-  cell_ = std::max(cell_, (high - low_).maxCoeff() / 100);
-  for (int k = 0; k < 3; ++k) counts_[static_cast<std::size_t>(k)] = static_cast<int>((high - low_)(k) / cell_) + 1;
-  const auto cells = static_cast<std::size_t>(counts_[0]) * static_cast<std::size_t>(counts_[1]) *
-                     static_cast<std::size_t>(counts_[2]);
-  begins_.assign(cells + 1, 0);
-  for (const Sample& s : samples_) ++begins_[cell_of(s.point, {}) + 1];
-  for (std::size_t i = 0; i < cells; ++i) begins_[i + 1] += begins_[i];
-  order_.resize(samples_.size());
-  std::vector<std::uint32_t> next(begins_.begin(), begins_.end() - 1);
-  for (std::uint32_t i = 0; i < samples_.size(); ++i) order_[next[cell_of(samples_[i].point, {})]++] = i;
-}
-
-/// The cell so many steps from that of a point; the number of cells if there is none.
-std::size_t AlignedShape::cell_of(const Vector3& p, const std::array<int, 3>& step) const {
-  std::array<int, 3> at;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double x = std::floor((p(static_cast<int>(k)) - low_(static_cast<int>(k))) / cell_);
-    at[k] = static_cast<int>(std::clamp(x, -2.0, counts_[k] + 1.0)) + step[k];
-    if (at[k] < 0 || at[k] >= counts_[k]) return begins_.empty() ? 0 : begins_.size() - 1;
-  }
-  return (static_cast<std::size_t>(at[2]) * static_cast<std::size_t>(counts_[1]) + static_cast<std::size_t>(at[1])) *
-             static_cast<std::size_t>(counts_[0]) +
-         static_cast<std::size_t>(at[0]);
-}
-
-AlignedShape::Foot AlignedShape::nearest(const Vector3& p) const {
-  // The nearest samples, each of another triangle, from the cells around.
-  std::array<std::pair<double, std::uint32_t>, 3> best;
-  best.fill({std::numeric_limits<double>::infinity(), 0});
-  for (int z = -1; z <= 1; ++z)
-    for (int y = -1; y <= 1; ++y)
-      for (int x = -1; x <= 1; ++x) {
-        const std::size_t cell = cell_of(p, {x, y, z});
-        if (cell + 1 >= begins_.size()) continue;
-        for (std::uint32_t i = begins_[cell]; i < begins_[cell + 1]; ++i) {
-          const Sample& s = samples_[order_[i]];
-          const double d = (s.point - p).squaredNorm();
-          if (d >= best[2].first) continue;
-          std::size_t at = 2;  // where its triangle is already, else last
-          for (std::size_t k = 0; k < 3; ++k)
-            if (std::isfinite(best[k].first) && samples_[best[k].second].triangle == s.triangle) at = k;
-          if (d >= best[at].first) continue;
-          best[at] = {d, order_[i]};
-          std::ranges::sort(best);
-        }
-      }
-  Foot foot{p, Vector3::Zero(), std::numeric_limits<double>::infinity()};
-  for (const auto& [d, i] : best) {
-    if (!std::isfinite(d)) continue;
-    const Vector3 q = nearest_of_triangle(p, triangles_[samples_[i].triangle]);
-    const double distance = (q - p).norm();
-    if (distance < foot.distance) foot = {q, samples_[i].normal, distance};
-    // Most triangles of a fine mesh have no sample: a sample stands for a flat disc of its share of the surface, too.
-    const Sample& s = samples_[i];
-    Vector3 aside = p - s.point;
-    aside -= s.normal.dot(aside) * s.normal;
-    const double length = aside.norm();
-    if (length > disc_) aside *= disc_ / length;
-    const Vector3 on_disc = s.point + aside;
-    const double from_disc = (on_disc - p).norm();
-    if (from_disc < foot.distance) foot = {on_disc, s.normal, from_disc};
-  }
-  return foot;
+  for (const auto& t : triangles)
+    for (const Vector3& corner : t) vertices_.push_back(corner);
+  const auto before = [](const Vector3& u, const Vector3& v) {
+    return std::lexicographical_compare(u.data(), u.data() + 3, v.data(), v.data() + 3);
+  };
+  std::ranges::sort(vertices_, before);
+  vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+  tree_ = SurfaceTree(std::move(triangles));
+  std::vector<SurfaceTree::Corners> points;
+  for (const Vector3& v : vertices_) points.push_back({v, v, v});
+  vertex_tree_ = SurfaceTree(std::move(points));
 }
 
 namespace {
 
-constexpr double kOutOfReach = 0.3;  // what a sample without a foot counts for
-
+/// The mean of the squares of distances of samples from a surface.
 double one_sided(const AlignedShape& surface, const AlignedShape& samples, const Eigen::Matrix3d& linear,
                  const Vector3& shift, std::size_t every) {
   double sum = 0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < samples.samples().size(); i += every) {
-    const double d = std::min(kOutOfReach, surface.nearest(linear * samples.samples()[i].point + shift).distance);
+    const Vector3 p = linear * samples.samples()[i] + shift;
+    const double d = std::min(kOutOfReach, surface.tree().nearest(p, kOutOfReach).distance);
     sum += d * d;
     ++count;
   }
   return sum / static_cast<double>(count);
 }
 
-/// One step of the iterative closest point method with distances from planes (Chen and Medioni 1992), turn, shift and
-/// scale together.
-void refine(const AlignedShape& first, const AlignedShape& second, Fit& fit) {
-  Eigen::Matrix<double, 7, 7> normal = Eigen::Matrix<double, 7, 7>::Zero();
-  Eigen::Matrix<double, 7, 1> right = Eigen::Matrix<double, 7, 1>::Zero();
-  for (std::size_t i = 0; i < second.samples().size(); i += kFine) {
-    const Vector3 p = fit.linear * second.samples()[i].point + fit.shift;
-    const AlignedShape::Foot foot = first.nearest(p);
-    if (!(foot.distance < kOutOfReach / 2)) continue;
+/// Steps of the iterative closest point method with distances from planes (Chen and Medioni 1992), turn, shift and
+/// scale together. Points of the second shape are weighed by how far they are from the first.
+class Step {
+ public:
+  void add(const SurfaceTree& surface, const Vector3& p, const SurfaceTree::Foot& foot, double weight) {
     // At edges the way to the foot is no normal of the triangle; it is what is left to go all the same.
-    const Vector3 n = foot.distance > 1e-9 ? Vector3((p - foot.point) / foot.distance) : foot.normal;
+    const Vector3 n = foot.distance > 1e-9 ? Vector3((p - foot.point) / foot.distance) : surface.normal(foot.triangle);
     Eigen::Matrix<double, 7, 1> row;
     row << p.cross(n), n, p.dot(n);
-    normal += row * row.transpose();
-    right -= row * foot.distance;
+    normal_ += weight * row * row.transpose();
+    right_ -= weight * row * foot.distance;
   }
-  normal.diagonal().array() += 1e-6 * normal.trace();
-  const Eigen::Matrix<double, 7, 1> step = normal.ldlt().solve(right);
-  if (!step.allFinite()) return;
-  const Eigen::Matrix3d turn = rotation_from_vector(step.head<3>()).matrix() * (1 + std::clamp(step(6), -0.1, 0.1));
-  fit.linear = turn * fit.linear;
-  fit.shift = turn * fit.shift + step.segment<3>(3);
+
+  /// Returns how much it moved the fit; 0 if it cannot be moved.
+  double apply(Fit& fit) {
+    normal_.diagonal().array() += 1e-6 * normal_.trace() + 1e-300;
+    const Eigen::Matrix<double, 7, 1> step = normal_.ldlt().solve(right_);
+    if (!step.allFinite()) return 0;
+    const double size = 1 + std::clamp(step(6), -0.1, 0.1);
+    const Eigen::Matrix3d turn = rotation_from_vector(step.head<3>()).matrix() * size;
+    fit.linear = turn * fit.linear;
+    fit.shift = turn * fit.shift + step.segment<3>(3);
+    return step.norm();
+  }
+
+ private:
+  Eigen::Matrix<double, 7, 7> normal_ = Eigen::Matrix<double, 7, 7>::Zero();
+  Eigen::Matrix<double, 7, 1> right_ = Eigen::Matrix<double, 7, 1>::Zero();
+};
+
+void refine(const AlignedShape& first, const AlignedShape& second, Fit& fit) {
+  for (int round = 0; round < kRounds; ++round) {
+    Step step;
+    for (std::size_t i = 0; i < second.samples().size(); i += kFine) {
+      const Vector3 p = fit.linear * second.samples()[i] + fit.shift;
+      const SurfaceTree::Foot foot = first.tree().nearest(p, kOutOfReach / 2);
+      if (std::isfinite(foot.distance)) step.add(first.tree(), p, foot, 1);
+    }
+    if (step.apply(fit) < kStill) return;
+  }
+}
+
+/// Sets the distance between the surfaces; false if one of them has shrunk to nothing.
+bool measure(const AlignedShape& first, const AlignedShape& second, Fit& fit, std::size_t every) {
+  if (!(std::abs(fit.linear.determinant()) > 0.01)) return false;
+  const Fit back = inverse(fit);
+  const double scale = std::cbrt(std::abs(fit.linear.determinant()));
+  const double there = one_sided(first, second, fit.linear, fit.shift, every);
+  const double home = one_sided(second, first, back.linear, back.shift, every) * scale * scale;
+  fit.distance = std::sqrt((there + home) / 2);
+  return true;
 }
 
 }  // namespace
+
+Fit inverse(const Fit& fit) {
+  Fit back = fit;
+  back.linear = fit.linear.inverse();
+  back.shift = -back.linear * fit.shift;
+  return back;
+}
 
 Fit best_fit(const AlignedShape& first, const AlignedShape& second, bool mirrored) {
   std::vector<Fit> starts;
@@ -221,16 +181,50 @@ Fit best_fit(const AlignedShape& first, const AlignedShape& second, bool mirrore
   best.distance = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < std::min(kRefined, starts.size()); ++k) {
     Fit fit = starts[k];
-    for (int round = 0; round < kRounds; ++round) refine(first, second, fit);
-    if (!(std::abs(fit.linear.determinant()) > 0.01)) continue;
-    const Eigen::Matrix3d back = fit.linear.inverse();
-    const double scale = std::cbrt(std::abs(fit.linear.determinant()));
-    const double there = one_sided(first, second, fit.linear, fit.shift, 1);
-    const double home = one_sided(second, first, back, -back * fit.shift, 1) * scale * scale;
-    fit.distance = std::sqrt((there + home) / 2);
-    if (fit.distance < best.distance) best = fit;
+    refine(first, second, fit);
+    if (measure(first, second, fit, kFine) && fit.distance < best.distance) best = fit;
   }
+  measure(first, second, best, 1);
   return best;
+}
+
+Placement placement(const AlignedShape& first, const AlignedShape& second, const Fit& fit) {
+  Placement result;
+  result.linear = first.unit() / second.unit() * first.principal().transpose() * fit.linear * second.principal();
+  result.shift =
+      first.centre() + first.unit() * (first.principal().transpose() * fit.shift) - result.linear * second.centre();
+  return result;
+}
+
+VertexFit vertex_fit(const AlignedShape& fine, const AlignedShape& coarse, Fit fit) {
+  const std::size_t every = (coarse.vertices().size() + kFineVertices - 1) / kFineVertices;
+  double scale = std::max(0.01, fit.distance);
+  for (int round = 0; round < 30; ++round) {
+    Step step;
+    std::vector<double> distances;
+    for (std::size_t i = 0; i < coarse.vertices().size(); i += every) {
+      const Vector3 p = fit.linear * coarse.vertices()[i] + fit.shift;
+      const SurfaceTree::Foot foot = fine.tree().nearest(p, kOutOfReach);
+      distances.push_back(std::min(foot.distance, kOutOfReach));
+      if (!std::isfinite(foot.distance)) continue;
+      const double ratio = foot.distance / scale;
+      step.add(fine.tree(), p, foot, 1 / ((1 + ratio * ratio) * (1 + ratio * ratio)));
+    }
+    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+    std::nth_element(distances.begin(), middle, distances.end());
+    scale = std::clamp(2 * *middle, 1e-4, scale);
+    if (step.apply(fit) < kStill) break;
+  }
+  VertexFit result;
+  if (!measure(fine, coarse, fit, 1)) return result;
+  result.fit = fit;
+  const std::size_t step = (coarse.vertices().size() + kFitVertices - 1) / kFitVertices;
+  std::size_t on = 0, count = 0;
+  for (std::size_t i = 0; i < coarse.vertices().size(); i += step, ++count)
+    on +=
+        std::isfinite(fine.vertex_tree().nearest(fit.linear * coarse.vertices()[i] + fit.shift, kSameVertex).distance);
+  result.share = static_cast<double>(on) / static_cast<double>(count);
+  return result;
 }
 
 }  // namespace rectilin::search

@@ -5,6 +5,8 @@
 
 #include "rectilin/mesh/mesh.h"
 #include "rectilin/retrieval/model.h"
+#include "rectilin/search/overlay.h"
+#include "surface_tree.h"
 
 namespace rectilin::search {
 
@@ -15,37 +17,28 @@ class AlignedShape {
   /// Throws MeshError if the mesh has no area.
   explicit AlignedShape(const retrieval::Model& model);
 
-  struct Sample {
-    Vector3 point, normal;
-    std::uint32_t triangle;
-  };
-  const std::vector<Sample>& samples() const { return samples_; }
+  /// Points spread evenly over the surface.
+  const std::vector<Vector3>& samples() const { return samples_; }
 
   /// Means of squares of coordinates along the principal axes, largest first; their sum is 1.
   const Vector3& moments() const { return moments_; }
   /// Rows: the principal axes, and those of the largest rectilinearity, in the file's coordinates.
   const Eigen::Matrix3d& principal() const { return principal_; }
   const Eigen::Matrix3d& rectilinear() const { return rectilinear_; }
-  double unit() const { return unit_; }  ///< of length, in the file's
+  double unit() const { return unit_; }              ///< of length, in the file's
+  const Vector3& centre() const { return centre_; }  ///< of mass, in the file's coordinates
 
-  /// The point of the surface next to p, nearly: of the triangles that the nearest samples lie in and of the flat discs
-  /// they stand for. Infinitely far if there are none within reach.
-  struct Foot {
-    Vector3 point, normal;
-    double distance;
-  };
-  Foot nearest(const Vector3& p) const;
+  const SurfaceTree& tree() const { return tree_; }
+  const SurfaceTree& vertex_tree() const { return vertex_tree_; }  ///< of the vertices alone
+  /// Those of triangles, each once.
+  const std::vector<Vector3>& vertices() const { return vertices_; }
 
  private:
-  std::size_t cell_of(const Vector3& p, const std::array<int, 3>& step) const;
-
-  std::vector<std::array<Vector3, 3>> triangles_;
-  std::vector<Sample> samples_;
-  Vector3 moments_, low_;
+  std::vector<Vector3> samples_, vertices_;
+  SurfaceTree tree_{{}}, vertex_tree_{{}};
+  Vector3 moments_, centre_;
   Eigen::Matrix3d principal_, rectilinear_;
-  double unit_ = 1, cell_ = 1, disc_ = 0;
-  std::array<int, 3> counts_{};
-  std::vector<std::uint32_t> begins_, order_;  ///< samples by cell
+  double unit_ = 1;
 };
 
 struct Fit {
@@ -56,5 +49,23 @@ struct Fit {
 
 /// The best fit of `second` to `first` without or with a reflection.
 Fit best_fit(const AlignedShape& first, const AlignedShape& second, bool mirrored);
+
+/// The way back; the distance is kept.
+Fit inverse(const Fit& fit);
+
+/// What a fit of the second shape to the first does to coordinates of the second file: they become those of the first.
+Placement placement(const AlignedShape& first, const AlignedShape& second, const Fit& fit);
+
+/// A fit that lays vertices on vertices.
+struct VertexFit {
+  Fit fit;           ///< of the coarse shape to the fine one
+  double share = 0;  ///< of the coarse mesh's vertices that are vertices of the fine one, within 0.001 radii
+};
+
+/// The surfaces of a shape and of its simplification can be far apart, but most ways of simplifying leave vertices
+/// where they were. `fit` is refined so that many vertices lie on the surface of the fine shape, those that do not
+/// count for little (an M-estimator with the weights of Geman and McClure 1987). It is vertices that are counted then:
+/// of a box all eight can lie on the surface of a larger one.
+VertexFit vertex_fit(const AlignedShape& fine, const AlignedShape& coarse, Fit fit);
 
 }  // namespace rectilin::search

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "reciprocal.h"
+#include "rectilin/retrieval/scores.h"
 
 namespace rectilin::search {
 namespace {
@@ -16,20 +18,16 @@ constexpr double kNoLink = 1e-12;  // share of the activation that counts as non
 std::vector<double> diffuse(std::span<const float> distances, std::size_t size, const DiffusionOptions& options) {
   const auto at = [&](std::size_t i, std::size_t j) { return static_cast<double>(distances[i * size + j]); };
   const std::size_t k = std::min(options.neighbours, size - 1);
+  const std::size_t expand = std::clamp<std::size_t>(options.expand, 1, size);
+  const Rankings nearest = rankings(distances, size, std::max(k + 1, expand));
   std::vector<std::vector<std::size_t>> linked(size);
   std::vector<double> scale(size);
-  std::vector<std::size_t> order(size);
   for (std::size_t i = 0; i < size && k > 0; ++i) {
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    order.erase(order.begin() + static_cast<std::ptrdiff_t>(i));
-    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(k), order.end(),
-                      [&](std::size_t a, std::size_t b) { return std::pair(at(i, a), a) < std::pair(at(i, b), b); });
-    scale[i] = at(i, order[k - 1]);
-    for (std::size_t m = 0; m < k; ++m) {
-      linked[i].push_back(order[m]);
-      linked[order[m]].push_back(i);
+    scale[i] = at(i, nearest[i][k]);
+    for (std::size_t m = 1; m <= k; ++m) {
+      linked[i].push_back(nearest[i][m]);
+      linked[nearest[i][m]].push_back(i);
     }
-    order.resize(size);
   }
   struct Link {
     std::size_t to;
@@ -47,20 +45,77 @@ std::vector<double> diffuse(std::span<const float> distances, std::size_t size, 
       degree[i] += weight;
     }
   }
-  std::vector<double> f(size), next(size);
-  f[0] = 1;
+  // Values over the root of the weight; of shapes without links, whose activation stays with them, as they are.
+  std::vector<double> root(size, 1);
+  for (std::size_t i = 0; i < size; ++i)
+    if (degree[i] > 0) root[i] = std::sqrt(degree[i]);
+  std::vector<double> start(size), f, next(size);
+  for (std::size_t m = 0; m < expand; ++m)
+    start[nearest[0][m]] = root[0] * root[0] / root[nearest[0][m]] / static_cast<double>(expand);
+  f = start;
   for (int step = 0; step < options.steps; ++step) {
     for (std::size_t i = 0; i < size; ++i) {
       double sum = 0;
       for (const Link& link : links[i])
-        if (link.weight > 0) sum += link.weight / std::sqrt(degree[i] * degree[link.to]) * f[link.to];
-      next[i] = options.spread * sum + (i == 0 ? 1 - options.spread : 0);
+        if (link.weight > 0) sum += link.weight / (root[i] * root[link.to]) * f[link.to];
+      next[i] = options.spread * sum + (1 - options.spread) * start[i];
     }
     std::swap(f, next);
   }
+  for (std::size_t i = 0; i < size; ++i) f[i] /= root[i];
+  std::vector<double> means(size);
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t m = 0; m < expand; ++m) means[i] += f[nearest[i][m]] / static_cast<double>(expand);
+  return means;
+}
+
+std::vector<double> collection_ranking(std::span<const float> distances, std::size_t size,
+                                       const DiffusionOptions& options) {
+  const std::vector<double> f = diffuse(distances, size, options);
+  const double most = std::ranges::max(f);
+  const std::size_t last = std::min(options.neighbours, size - 1);
+  const double scale = std::max(static_cast<double>(distances[rankings(distances, size, last + 1)[0][last]]), 1e-9);
+  std::vector<double> jaccard(size);
+  if (options.reciprocal > 0) jaccard = reciprocal_distances(distances, size);
+  std::vector<double> result(size);
   for (std::size_t i = 1; i < size; ++i)
-    if (degree[i] > 0) f[i] *= std::sqrt(degree[0] / degree[i]);
-  return f;
+    result[i] = options.straight * static_cast<double>(distances[i]) / scale + options.reciprocal * jaccard[i] -
+                std::log(std::clamp(f[i] / most, kNoLink, 1.0));
+  return result;
+}
+
+namespace {
+
+/// Gives the members of a pool, nearest to the query first, their distances by the collection. `distances` are those of
+/// the query and of the first size - 1 members; beyond them the distance alone counts.
+void rank_pool(std::vector<Neighbour>& pool, std::span<const float> distances, std::size_t size,
+               const DiffusionOptions& options) {
+  const std::vector<double> ranked = collection_ranking(distances, size, options);
+  const double beyond = -std::log(kNoLink) + options.reciprocal;  // nothing there gets a part of the activation
+  const double scale = size > 1 ? std::max(pool[std::min(options.neighbours, size - 1) - 1].distance, 1e-9) : 1;
+  for (std::size_t i = 0; i < pool.size(); ++i)
+    pool[i].distance = i + 1 < size ? ranked[i + 1] : options.straight * pool[i].distance / scale + beyond;
+}
+
+}  // namespace
+
+retrieval::DistanceMatrix collection_distances(const retrieval::DistanceMatrix& distances,
+                                               const DiffusionOptions& options) {
+  retrieval::DistanceMatrix result(distances.size());
+  tbb::parallel_for(std::size_t{0}, distances.size(), [&](std::size_t q) {
+    std::vector<Neighbour> pool;
+    for (const std::size_t i : retrieval::ranked({distances.row(q), distances.size()}, q))
+      pool.push_back({i, static_cast<double>(distances.at(q, i))});
+    const std::size_t size = std::min(options.pool, pool.size()) + 1;
+    std::vector<std::size_t> members{q};
+    for (std::size_t i = 1; i < size; ++i) members.push_back(pool[i - 1].member);
+    std::vector<float> among;
+    for (const std::size_t i : members)
+      for (const std::size_t j : members) among.push_back(distances.at(i, j));
+    rank_pool(pool, among, size, options);
+    for (const Neighbour& n : pool) result.at(q, n.member) = static_cast<float>(n.distance);
+  });
+  return result;
 }
 
 std::vector<Neighbour> diffused_nearest(const NearestSearch& search, const Parts& query, std::size_t n,
@@ -76,13 +131,7 @@ std::vector<Neighbour> diffused_nearest(const NearestSearch& search, const Parts
     const Parts own = search.parts_of(pool[i - 1].member);
     for (std::size_t j = 1; j < i; ++j) set(i, j, search.distance(own, pool[j - 1].member));
   });
-  const std::vector<double> f = diffuse(distances, size, options);
-  const std::size_t last = std::min(options.neighbours, size - 1);
-  const double scale = last > 0 ? std::max(pool[last - 1].distance, 1e-9) : 1;
-  for (std::size_t i = 0; i < pool.size(); ++i) {
-    const double share = i + 1 < size ? f[i + 1] / f[0] : 0;
-    pool[i].distance = options.straight * pool[i].distance / scale - std::log(std::clamp(share, kNoLink, 1.0));
-  }
+  rank_pool(pool, distances, size, options);
   std::ranges::stable_sort(pool, {}, &Neighbour::distance);
   if (pool.size() > n) pool.resize(n);
   return pool;

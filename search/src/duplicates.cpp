@@ -14,11 +14,9 @@
 namespace rectilin::search {
 namespace {
 
-constexpr double kLikeR = 0.06;        // rectilinearities of a shape and of its simplified copy differ by less
-constexpr double kLikeMoments = 0.03;  // and their shares of the second moment
-
-constexpr double kEqualR = 1e-5;        // that of copies differs by roundings and by what is not certified
-constexpr double kBlur = 2;             // distances of equal surfaces with fine detail are up to so many tolerances
+constexpr double kLikeR = 0.2;          // rectilinearities of a shape and of its simplified copy differ by less
+constexpr double kLikeMoments = 0.1;    // and their shares of the second moment
+constexpr double kSame = 1e-3;          // surfaces that are nearer are the same without a reflection
 constexpr double kClearlyNearer = 0.5;  // a reflection counts if it fits so much better
 
 /// Members held together by pairs.
@@ -117,7 +115,7 @@ Duplicates find_duplicates(Database& database, const DuplicateOptions& options, 
   for (std::size_t i = 0; i < members.size(); ++i) {
     const auto [first, is_new] = by_digest.emplace(members[i].digest, i);
     stands_for[i] = first->second;
-    if (!is_new) accepted.push_back({first->second, i, 0, 0, false, true, 1});
+    if (!is_new) accepted.push_back({first->second, i, 0, 0, 1, false, true, 1, {}});
   }
   std::vector<Candidate> candidates = candidates_of(search, members, options);
   std::erase_if(candidates,
@@ -162,18 +160,30 @@ Duplicates find_duplicates(Database& database, const DuplicateOptions& options, 
     if (a == shapes.end() || b == shapes.end()) return std::nullopt;
     const AlignedShape &first = *a->second, &second = *b->second;
     if ((first.moments() - second.moments()).lpNorm<Eigen::Infinity>() > kLikeMoments) return std::nullopt;
-    // Equal R to all digits that are certified is evidence of its own: then fine detail, which samples blur, may
-    // differ.
-    const bool like_r = std::abs(members[c.first].rectilinearity - members[c.second].rectilinearity) < kEqualR;
-    const double limit = options.tolerance * (like_r ? kBlur : 1);
     Fit fit = best_fit(first, second, false);
-    const Fit reflected = best_fit(first, second, true);
-    const bool mirrored = reflected.distance < kClearlyNearer * fit.distance;
-    if (mirrored) fit = reflected;
-    if (fit.distance > limit) return std::nullopt;
+    bool mirrored = false;
+    if (fit.distance > kSame) {
+      const Fit reflected = best_fit(first, second, true);
+      mirrored = reflected.distance < kClearlyNearer * fit.distance;
+      if (mirrored) fit = reflected;
+    }
+    if (fit.distance > options.loose) return std::nullopt;
+    const bool first_is_fine = first.vertices().size() >= second.vertices().size();
+    const VertexFit vertices = first_is_fine ? vertex_fit(first, second, fit) : vertex_fit(second, first, inverse(fit));
+    if (fit.distance > options.tolerance) {
+      if (vertices.share < options.shared || vertices.fit.distance > options.loose) return std::nullopt;
+      fit = first_is_fine ? vertices.fit : inverse(vertices.fit);
+    }
     const double scale = std::cbrt(std::abs(fit.linear.determinant()));
-    return DuplicateEvidence{
-        c.first, c.second, c.distance, fit.distance, mirrored, false, second.unit() / (first.unit() * scale)};
+    return DuplicateEvidence{c.first,
+                             c.second,
+                             c.distance,
+                             fit.distance,
+                             vertices.share,
+                             mirrored,
+                             false,
+                             second.unit() / (first.unit() * scale),
+                             placement(first, second, fit)};
   };
   result.complete = for_each_in_order<std::optional<DuplicateEvidence>>(
                         pair_names, compare,

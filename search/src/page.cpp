@@ -17,7 +17,8 @@ namespace html = report::html;
 std::string picture_page(const std::string& title, const std::string& text, const std::vector<PageSection>& sections) {
   std::map<std::string, std::string> pictures;
   for (const PageSection& section : sections)
-    for (const PictureOf& p : section.pictures) pictures.emplace(p.source, "");
+    for (const PictureOf& p : section.pictures)
+      if (p.png.empty()) pictures.emplace(p.source, "");
   std::vector<std::pair<const std::string, std::string>*> list;
   for (auto& entry : pictures) list.push_back(&entry);
   tbb::parallel_for(std::size_t{0}, list.size(), [&](std::size_t i) {
@@ -33,7 +34,8 @@ std::string picture_page(const std::string& title, const std::string& text, cons
     // One sheet each, which a row holds as many of as the screen has room for.
     body += "<div style=\"display:flex;flex-wrap:wrap;gap:4px\">\n";
     for (const PictureOf& p : section.pictures) {
-      const report::ContactSheet sheet = report::contact_sheet({{pictures[p.source], p.name, p.value}}, 1);
+      const report::ContactSheet sheet =
+          report::contact_sheet({{p.png.empty() ? pictures[p.source] : p.png, p.name, p.value}}, 1);
       body += "<div style=\"width:" + std::to_string(sheet.width) + "px\" title=\"" + html::escape(p.name) + "\">" +
               sheet.svg + "</div>\n";
     }

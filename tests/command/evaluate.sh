@@ -35,6 +35,10 @@ run() { "$rectilin" evaluate meshes --classes all.cla -d 'd2, mine=r+0.5*d1' --o
 expect 0 '^mine ' run
 grep -q 'no mesh file for 1 models: 9' err || fail "the missing model is named"
 grep -q 'empty classes: nothing' err || fail "the empty class is named"
+into=collection expect 0 '^d2@collection ' run --collection
+grep -q '^mine ' out || fail "the plain scores, too"
+[ "$(wc -c <collection/matrices/d2@collection.matrix)" -eq 324 ] || fail "the matrix by the collection"
+cmp -s scored/matrices/d2.matrix collection/matrices/d2.matrix || fail "the plain distances are the same"
 for file in index.html summary.json scores.csv classes.csv queries.csv tests.csv confusion.csv matrices/mine.matrix; do
   [ -s scored/$file ] || fail "$file"
 done

@@ -48,9 +48,27 @@ expect 0 torus "$rectilin" search shapes.db --like meshes/torus2.stl -n 3 --coll
 cp -r meshes copies; "$rectilin" convert meshes/torus2.stl copies/other.ply
 expect 0 '13 added' "$rectilin" index copies -o copies.db
 # Tori whose tubes differ by a thirtieth are 0.006 radii apart: another shape by a narrower tolerance.
-expect 0 '1 groups in 13 shapes' "$rectilin" duplicates copies.db --page groups.html --tolerance 0.003
+expect 0 '1 groups in 13 shapes' "$rectilin" duplicates copies.db --page groups.html -O pairs --tolerance 0.003
 grep -q other.ply out || fail "the copy in another format is found"
-[ "$(grep -o 'data:image/png' groups.html | wc -l)" -eq 2 ] || fail "two pictures of the group"
+grep -qE 'R 0\.[0-9]{6}\.\.0\.[0-9]{6} and' out || fail "intervals of R"
+[ "$(grep -o 'data:image/png' groups.html | wc -l)" -eq 3 ] || fail "two pictures of the group and one of the pair"
+[ "$(ls pairs)" = group1-1.png ] || fail "a picture of one surface laid on the other"
+expect 0 '"placement":\[\[' "$rectilin" duplicates copies.db --json --tolerance 0.003
+python3 - out <<'P' || fail "the JSON of duplicates"
+import json, sys
+group, = [json.loads(line) for line in open(sys.argv[1])]
+pair, = group["evidence"]
+assert pair["surface_distance"] < 1e-4 and pair["shared_vertices"] == 1 and not pair["mirrored"], pair
+assert abs(pair["scale"] - 1) < 1e-4
+low, high = pair["rectilinearity_first"]
+assert low <= high <= low + 2e-6
+# One file is the other in another format: its coordinates are taken to themselves, or to a symmetry of the torus.
+rows = [row[:3] for row in pair["placement"]]
+for i in range(3):
+    for j in range(3):
+        assert abs(sum(a * b for a, b in zip(rows[i], rows[j])) - (i == j)) < 1e-3, rows
+P
+expect 1 'Not a directory|File exists|not a directory' "$rectilin" duplicates copies.db -O copies/box1.off/pairs
 cp copies/box1.off copies/again.off
 expect 0 '1 copies' "$rectilin" index copies -o copies.db
 expect 0 '"same_bytes":true' "$rectilin" duplicates copies.db --json --tolerance 0.003
@@ -66,6 +84,33 @@ done
 expect 0 'unchanged' "$rectilin" index meshes -o killed.db -d "$d"
 expect 0 query "$rectilin" search killed.db turned.ply meshes/box1.off --json
 cmp -s out all || fail "the same results after kill -9"
+
+# A file that may not grow, as on a full disk: one line, nothing damaged, and with room the same command goes on.
+(trap '' XFSZ; ulimit -f 24; expect 1 'full.db: ' "$rectilin" index meshes -o full.db; exit $failures) ||
+  fail "a full disk while indexing"
+expect 0 ' 0 failed' "$rectilin" index meshes -o full.db
+expect 0 query "$rectilin" search full.db turned.ply
+(trap '' XFSZ; ulimit -f 1; expect 1 'found-full.html: ' "$rectilin" search full.db turned.ply -n 3 --page found-full.html
+ exit $failures) || fail "a full disk while writing a page"
+[ -e found-full.html ] && fail "half of a page was left"
+
+# While one program writes, another one is turned away, and then the first goes on.
+begin "$rectilin" index meshes -o two.db
+for i in $(seq 500); do [ -e two.db-lock ] && break; sleep 0.01; done
+kill -STOP $pid || fail "the first writer was too quick to be stopped"
+mkdir -p second
+(cd second && expect 1 'two.db: another program is writing to it' "$rectilin" index ../meshes -o ../two.db
+ exit $failures) || fail "the second writer"
+kill -CONT $pid; wait $pid || fail "the first of two writers"
+expect 0 '12 unchanged' "$rectilin" index meshes -o two.db
+
+# Another program's database.
+python3 -c 'import sqlite3; c = sqlite3.connect("foreign.db"); c.execute("create table x (a)"); c.commit()'
+cp foreign.db foreign.before
+expect 1 'foreign.db: not a database of shapes' "$rectilin" search foreign.db turned.ply
+expect 1 'foreign.db: not a database of shapes' "$rectilin" index meshes -o foreign.db
+expect 1 'foreign.db: not a database of shapes' "$rectilin" duplicates foreign.db
+cmp -s foreign.db foreign.before || fail "another program's database was changed"
 
 # Bad input.
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n' >meshes/bad.off

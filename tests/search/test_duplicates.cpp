@@ -1,10 +1,12 @@
 // Duplicates: copies in other poses, sizes and tessellations are found, mirror images told apart, others left alone.
 #include <Eigen/Geometry>
 #include <filesystem>
+#include <limits>
 
 #include "alignment.h"
 #include "rectilin/base/random.h"
 #include "rectilin/base/rotation.h"
+#include "rectilin/mesh/edits.h"
 #include "rectilin/mesh/mesh_io.h"
 #include "rectilin/mesh/source.h"
 #include "rectilin/search/duplicates.h"
@@ -60,11 +62,10 @@ TEST_CASE("a fit finds the way back, and a reflection only where there is one") 
   const AlignedShape first{retrieval::Model(chiral())};
   for (int i = 0; i < 3; ++i) {
     const AlignedShape copy{retrieval::Model(moved(test::subdivided(chiral()), random))};
-    // Not zero: a foot is looked for among the triangles of the nearest samples only.
-    CHECK(best_fit(first, copy, false).distance < 3e-3);
+    CHECK(best_fit(first, copy, false).distance < 1e-4);
     CHECK(best_fit(first, copy, true).distance > 0.03);
     const AlignedShape mirror{retrieval::Model(moved(chiral(), random, true))};
-    CHECK(best_fit(first, mirror, true).distance < 3e-3);
+    CHECK(best_fit(first, mirror, true).distance < 1e-4);
     CHECK(best_fit(first, mirror, false).distance > 0.03);
   }
   const AlignedShape torus{retrieval::Model(load_mesh("shape:torus").mesh)};
@@ -72,14 +73,60 @@ TEST_CASE("a fit finds the way back, and a reflection only where there is one") 
 }
 
 TEST_CASE("a foot is the nearest point of the surface") {
-  const AlignedShape box{retrieval::Model(load_mesh("shape:box?x=2&y=1.5").mesh)};
-  double reach = 0;
-  for (const auto& s : box.samples()) reach = std::max(reach, s.point.lpNorm<Eigen::Infinity>());
-  for (const auto& s : box.samples()) {
-    CHECK(box.nearest(s.point).distance < 1e-12);
-    CHECK(box.nearest(s.point + 0.1 * s.normal).distance <= 0.1 + 1e-12);
+  // Against all triangles one by one.
+  Random random(7);
+  std::vector<SurfaceTree::Corners> triangles;
+  for (int i = 0; i < 300; ++i) {
+    const Vector3 at(random.normal(), random.normal(), random.normal());
+    SurfaceTree::Corners t;
+    for (Vector3& corner : t) corner = at + 0.3 * Vector3(random.normal(), random.normal(), random.normal());
+    if (i % 10 == 0) t[2] = i % 20 == 0 ? t[1] : Vector3((t[0] + t[1]) / 2);  // without area
+    triangles.push_back(t);
   }
-  CHECK(std::isinf(box.nearest(Vector3::Constant(10 * reach)).distance));
+  const SurfaceTree tree(triangles);
+  for (int i = 0; i < 300; ++i) {
+    const Vector3 p(2 * random.normal(), 2 * random.normal(), 2 * random.normal());
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& t : triangles) {
+      least = std::min(least, (nearest_of_triangle(p, t) - p).norm());
+      // No point of the triangle is nearer than the one found.
+      const double u = random.uniform(0, 1), v = random.uniform(0, 1 - u);
+      const Vector3 q = t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]);
+      CHECK((nearest_of_triangle(p, t) - p).norm() <= (q - p).norm() + 1e-12);
+    }
+    const SurfaceTree::Foot foot = tree.nearest(p);
+    CHECK(foot.distance == Approx(least).epsilon(1e-12));
+    CHECK((foot.point - p).norm() == Approx(least).epsilon(1e-12));
+    CHECK(std::isinf(tree.nearest(p, least * 0.999).distance));
+    CHECK(tree.nearest(p, least * 1.001).distance == foot.distance);
+  }
+  CHECK(std::isinf(SurfaceTree({}).nearest(Vector3::Zero()).distance));
+}
+
+TEST_CASE("vertices tell a simplified copy from another shape") {
+  Random random(9);
+  const Mesh fine = load_mesh("shape:torus?minor=0.4").mesh;
+  const AlignedShape first{retrieval::Model(fine)};
+  const AlignedShape copy{retrieval::Model(moved(simplified(fine, fine.triangles.size() / 20), random))};
+  const AlignedShape other{retrieval::Model(moved(load_mesh("shape:torus?minor=0.45").mesh, random))};
+  CHECK(vertex_fit(first, copy, best_fit(first, copy, false)).share > 0.99);
+  CHECK(vertex_fit(first, other, best_fit(first, other, false)).share < 0.1);
+  // A box fits into a longer one with all vertices on its surface, but not on its vertices.
+  const AlignedShape box{retrieval::Model(load_mesh("shape:box?x=2&y=1.2").mesh)};
+  const AlignedShape longer{retrieval::Model(load_mesh("shape:box?x=2&y=1.4").mesh)};
+  CHECK(vertex_fit(longer, box, best_fit(longer, box, false)).share <= 0.5);
+}
+
+TEST_CASE("a placement takes one file's coordinates to another's") {
+  Random random(12);
+  for (const bool mirror : {false, true}) {
+    const Mesh mesh = chiral(), copy = moved(mesh, random, mirror);
+    const AlignedShape first{retrieval::Model(mesh)}, second{retrieval::Model(copy)};
+    const Placement back = placement(first, second, best_fit(first, second, mirror));
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+      CHECK((back.linear * copy.vertices[i] + back.shift - mesh.vertices[i]).norm() < 1e-3);
+    CHECK((back.linear.determinant() < 0) == mirror);
+  }
 }
 
 TEST_CASE("groups of a folder") {

@@ -11,6 +11,7 @@
 #include "rectilin/laboratory/statistics.h"
 #include "rectilin/retrieval/features.h"
 #include "rectilin/retrieval/lfd_files.h"
+#include "rectilin/search/diffusion.h"
 #include "writing.h"
 
 namespace rectilin::evaluation {
@@ -129,6 +130,10 @@ class Run {
       show("distances by " + contestant.label);
       evaluation_.results.push_back(made(contestant, features, who));
       write_result(out_, evaluation_.results.back(), who.classes);
+      if (!plan_.by_collection) continue;
+      show(contestant.label + " by the collection");
+      evaluation_.results.push_back(by_collection(evaluation_.results.back()));
+      write_result(out_, evaluation_.results.back(), who.classes);
     }
     show("scores");
     for (Result& result : evaluation_.results) score(result, who.classes);
@@ -204,6 +209,19 @@ class Run {
         break;
     }
     return own(contestant, features, who);
+  }
+
+  static Result by_collection(const Result& plain) {
+    Result result{.contestant = plain.contestant, .bytes = plain.bytes};
+    result.contestant.label += "@collection";
+    result.distance = plain.distance.empty() ? "" : plain.distance + "; then by diffusion through all models";
+    result.invariant = plain.invariant;
+    result.describe_seconds = plain.describe_seconds;
+    const Clock::time_point begin = Clock::now();
+    result.matrix = search::collection_distances(plain.matrix);
+    const double pairs = static_cast<double>(result.matrix.size()) * static_cast<double>(result.matrix.size());
+    if (pairs > 0) result.compare_seconds = plain.compare_seconds + seconds_since(begin) / pairs;
+    return result;
   }
 
   Result own(const Contestant& contestant, const retrieval::Features& features, const Participants& who) const {

@@ -13,4 +13,7 @@ namespace rectilin::render {
 std::string grey_png(std::span<const std::uint8_t> values, int width);
 std::string grey_png(std::span<const std::uint16_t> values, int width);
 
+/// The same with three values a pixel: red, green and blue, in sRGB.
+std::string colour_png(std::span<const std::uint8_t> values, int width);
+
 }  // namespace rectilin::render

@@ -7,14 +7,16 @@
 
 #include "rectilin/base/batch.h"
 #include "rectilin/search/database.h"
+#include "rectilin/search/overlay.h"
 
 namespace rectilin::search {
 
 struct DuplicateOptions {
   std::size_t neighbours = 10;  ///< of each member so many are looked at more closely
-  double widest = 0.65;         ///< and of these those that are no further by the descriptor; in typical distances
-  double tolerance = 0.015;     ///< largest distance of the surfaces, root mean square, in radii of the shape; twice
-                                ///< that if R is the same to 1e-5
+  double widest = 0.6;          ///< and of these those that are no further by the descriptor; in typical distances
+  double tolerance = 0.015;     ///< largest distance of the surfaces, root mean square, in radii of the shape
+  double shared = 0.6;          ///< or this share of the coarser mesh's vertices are vertices of the other, and
+  double loose = 0.2;           ///< the surfaces are no further apart than this: a simplified copy
 };
 
 /// How a pair was found to be one shape. The second mesh is turned, scaled and moved onto the first, and mirrored if
@@ -23,9 +25,11 @@ struct DuplicateEvidence {
   std::size_t first, second;   ///< members
   double descriptor_distance;  ///< by the database's descriptor
   double surface_distance;     ///< root mean square over both surfaces, in radii (root mean square from the centre)
+  double shared_vertices;      ///< share of the coarser mesh's vertices that are the other's, within 0.001 radii
   bool mirrored;               ///< a mirror image: after a reflection the surfaces are less than half as far apart
   bool same_bytes;             ///< the files are the same
   double scale;                ///< size of the second over that of the first
+  Placement placement;         ///< takes the second file's coordinates to the first's
 };
 
 struct DuplicateGroup {
@@ -44,8 +48,8 @@ struct Duplicates {
 
 /// Finds them: neighbours by descriptor are brought onto each other, by their principal axes and by the frames of their
 /// largest rectilinearity in all 24 rotations with and without a reflection, the fit refined; what is left between the
-/// surfaces decides. Reads the files of candidates; nothing is changed or removed. The result does not depend on the
-/// number of threads.
+/// surfaces decides, or that vertices of the coarser mesh are vertices of the finer one, as a simplified copy's are.
+/// Reads the files of candidates; nothing is changed or removed. The result does not depend on the number of threads.
 Duplicates find_duplicates(Database& database, const DuplicateOptions& options = {}, const LoopControl& control = {});
 
 }  // namespace rectilin::search

@@ -9,6 +9,7 @@ namespace rectilin::search {
 struct PictureOf {
   std::string name, source;  ///< source for load_mesh()
   std::string value;         ///< a line below the name
+  std::string png = {};      ///< a picture to be shown as it is instead of the mesh
 };
 
 struct PageSection {

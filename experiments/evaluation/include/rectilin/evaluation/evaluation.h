@@ -42,6 +42,9 @@ struct EvaluationPlan {
   std::optional<std::filesystem::path> folder;  ///< of meshes; may be left out if no contestant is a descriptor
   std::filesystem::path classes;                ///< the .cla file
   std::vector<Contestant> contestants;
+  /// Each contestant a second time, ranked by diffusion through all models, without their classes: LABEL@collection,
+  /// see search::collection_distances().
+  bool by_collection = false;
 };
 
 struct EvaluationSettings {

@@ -1,0 +1,49 @@
+// The point of a surface that is nearest to another point.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "rectilin/mesh/mesh.h"
+
+namespace rectilin::search {
+
+/// A soup of triangles in a tree of boxes. Exact, up to rounding; const members are thread safe.
+class SurfaceTree {
+ public:
+  using Corners = std::array<Vector3, 3>;
+  explicit SurfaceTree(std::vector<Corners> triangles);
+
+  struct Foot {
+    Vector3 point;
+    double distance = std::numeric_limits<double>::infinity();  ///< from the point asked for
+    std::uint32_t triangle = 0;
+  };
+  /// The nearest point of the surface that is nearer than `within`; infinitely far if there is none.
+  Foot nearest(const Vector3& p, double within = std::numeric_limits<double>::infinity()) const;
+
+  /// Of unit length; zero for a triangle without area.
+  Vector3 normal(std::uint32_t triangle) const {
+    const Corners& t = triangles_[triangle];
+    return (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+  }
+
+ private:
+  struct Node {
+    Vector3 low, high;
+    std::uint32_t begin, end;  ///< of order_, if it is a leaf
+    std::uint32_t far = 0;     ///< the second child, the first follows its parent; 0: a leaf
+  };
+  std::uint32_t build(std::uint32_t begin, std::uint32_t end);
+
+  std::vector<Corners> triangles_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Node> nodes_;
+};
+
+/// The point of a triangle nearest to p (Ericson 2004, section 5.1.5).
+Vector3 nearest_of_triangle(const Vector3& p, const SurfaceTree::Corners& t);
+
+}  // namespace rectilin::search
