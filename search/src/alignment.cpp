@@ -233,4 +233,20 @@ Fit best_fit(const AlignedShape& first, const AlignedShape& second, bool mirrore
   return best;
 }
 
+Fit best_frame(const AlignedShape& first, const AlignedShape& second) {
+  const Eigen::Matrix3d to_frame = second.rectilinear() * second.principal().transpose();
+  const Eigen::Matrix3d from_frame = first.principal() * first.rectilinear().transpose();
+  Fit best;
+  best.distance = std::numeric_limits<double>::infinity();
+  for (const Rotation& d : frame_symmetries()) {
+    Fit fit;
+    fit.linear = from_frame * d.matrix() * to_frame;
+    fit.distance = std::sqrt((one_sided(first, second, fit.linear, fit.shift, kFine) +
+                              one_sided(second, first, fit.linear.transpose(), fit.shift, kFine)) /
+                             2);
+    if (fit.distance < best.distance) best = fit;
+  }
+  return best;
+}
+
 }  // namespace rectilin::search

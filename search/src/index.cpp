@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "digest.h"
+#include "rectilin/search/digest.h"
 #include "rectilin/base/printable.h"
 #include "rectilin/mesh/edits.h"
 #include "rectilin/mesh/source.h"
@@ -75,9 +75,7 @@ std::vector<retrieval::DescriptorPointer> make_terms(const std::string& descript
   return terms;
 }
 
-DescribedMesh describe_source(const std::string& source, const std::vector<retrieval::DescriptorPointer>& terms) {
-  const double begin = seconds_of_thread();
-  const retrieval::Model model(load_mesh(source).mesh);
+DescribedMesh describe_model(const retrieval::Model& model, const std::vector<retrieval::DescriptorPointer>& terms) {
   DescribedMesh described;
   for (const auto& term : terms) described.parts.push_back(term->describe(model));
   Member& m = described.member;
@@ -85,7 +83,13 @@ DescribedMesh describe_source(const std::string& source, const std::vector<retri
   m.faces = model.mesh().triangles.size();
   m.rectilinearity = model.rectilinearity();
   m.size = largest_extent(model.mesh());
-  m.seconds = seconds_of_thread() - begin;
+  return described;
+}
+
+DescribedMesh describe_source(const std::string& source, const std::vector<retrieval::DescriptorPointer>& terms) {
+  const double begin = seconds_of_thread();
+  DescribedMesh described = describe_model(retrieval::Model(load_mesh(source).mesh), terms);
+  described.member.seconds = seconds_of_thread() - begin;
   return described;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rectilin/base/batch.h"
+#include "rectilin/retrieval/model.h"
 #include "rectilin/search/database.h"
 
 namespace rectilin::search {
@@ -27,7 +28,10 @@ struct DescribedMesh {
   Parts parts;
 };
 
-/// Reads a mesh and describes it by every term. Throws MeshError.
+/// Describes a mesh by every term; without `seconds`. Throws MeshError.
+DescribedMesh describe_model(const retrieval::Model& model, const std::vector<retrieval::DescriptorPointer>& terms);
+
+/// Reads a mesh and describes it. Throws MeshError.
 DescribedMesh describe_source(const std::string& source, const std::vector<retrieval::DescriptorPointer>& terms);
 
 /// The terms' descriptors, without weights.
