@@ -1,13 +1,14 @@
 #include "child/child.h"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
 #include <sys/mman.h>
-#include <sys/pidfd.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -92,7 +93,8 @@ std::string run_child(const std::vector<std::string>& command, const std::string
   const pid_t child = spawn(command, in, out);
   const char* killed = nullptr;
   {
-    const int process = pidfd_open(child, 0);  // -1 where the system cannot: poll() is then a pause
+    // -1 where the system has no such call: poll() is then a pause.
+    const int process = static_cast<int>(syscall(SYS_pidfd_open, child, 0));
     constexpr int kLook = 50;                  // milliseconds
     pollfd ended{process, POLLIN, 0};
     for (;;) {

@@ -51,7 +51,7 @@ MHD_Result keep_header(void* request, MHD_ValueKind, const char* key, std::size_
 MHD_Result send(MHD_Connection* connection, const Response& response) {
   auto* kept = new Bytes(response.body ? response.body : to_bytes(""));
   MHD_Response* sent = MHD_create_response_from_buffer_with_free_callback_cls(
-      (*kept)->size(), (*kept)->data(), [](void* bytes) { delete static_cast<Bytes*>(bytes); }, kept);
+      (*kept)->size(), const_cast<char*>((*kept)->data()), [](void* bytes) { delete static_cast<Bytes*>(bytes); }, kept);
   if (!sent) {
     delete kept;
     return MHD_NO;
