@@ -25,8 +25,8 @@ export class Comparison {
       made.addEventListener('click', act);
       return made;
     };
-    this.before = button('Nearer', () => this.#step(-1));
-    this.after = button('Farther', () => this.#step(1));
+    this.before = button('Previous match', () => this.#step(-1));
+    this.after = button('Next match', () => this.#step(1));
     this.like = button('Search for this', () => go({like: this.#results[this.#at].id, show: '', words: '', from: 0}));
     const views = element('div', {id: 'views'});
     for (const label of ['query', 'result']) {
@@ -40,7 +40,7 @@ export class Comparison {
     dialog.replaceChildren(
         element('header', {}, this.title, button('Close', () => go({show: ''}))), views,
         element('div', {className: 'actions'}, this.before, this.after, this.like,
-                ...(inThreeD ? [button('As it was', () => this.#pose?.reset())] : [])));
+                ...(inThreeD ? [button('Turn back', () => this.#pose?.reset())] : [])));
     if (inThreeD)
       dialog.append(element('p', {className: 'help keys', textContent:
           'Drag, or arrow keys, turn both; wheel, or + and -, bring them nearer; Home puts them back.'}));

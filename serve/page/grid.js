@@ -15,7 +15,8 @@ export function picture(shape) {
   return image;
 }
 
-export const fileName = (name) => name.slice(Math.max(name.lastIndexOf('/'), name.lastIndexOf('::') + 1) + 1);
+/// Without its folder and archive.
+export const fileName = (name) => name.split(/\/|::/).at(-1);
 
 export const number = (x, digits) => x.toLocaleString('en', {minimumFractionDigits: digits, maximumFractionDigits: digits});
 

@@ -66,7 +66,7 @@ export class View {
     const lamp = new three.DirectionalLight(0xffffff, 2.2);
     lamp.position.set(-0.6, 1.2, 1);
     this.#camera.add(lamp);
-    this.#scene.add(this.#camera, this.#shape, new three.HemisphereLight(0xffffff, 0x9aa0a8, 1.1));
+    this.#scene.add(this.#camera, this.#shape, new three.HemisphereLight(0xffffff, 0xa8adb5, 1.5));
     box.prepend(this.#renderer.domElement);
     pose.listeners.push(() => this.#draw());
     new ResizeObserver(() => this.#draw()).observe(box);
@@ -77,7 +77,7 @@ export class View {
   show(bytes, rotation = [1, 0, 0, 0, 1, 0, 0, 0, 1]) {
     this.clear();
     const geometry = geometryOf(bytes);
-    const surface = new three.MeshLambertMaterial({color: 0xd4d7db, flatShading: true, side: three.DoubleSide,
+    const surface = new three.MeshLambertMaterial({color: 0xe4e6e9, flatShading: true, side: three.DoubleSide,
                                                    polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1});
     const [a, b, c, d, e, f, g, h, i] = rotation;
     const own = new three.Group();

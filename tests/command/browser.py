@@ -1,4 +1,5 @@
 """Drives Chromium over a pipe (the DevTools protocol), with nothing but Python's own library."""
+import fcntl
 import json
 import os
 import re
@@ -19,16 +20,17 @@ class Browser:
 
     def __init__(self, width=1400, height=900, mobile=False):
         self.profile = tempfile.mkdtemp(prefix="rectilin-browser-")
-        to_read, self.out = os.pipe()
-        self.into, to_write = os.pipe()
-        # The browser reads commands from descriptor 3 and writes answers to 4; the shell puts them there.
+        # The browser reads commands from descriptor 3 and writes answers to 4. Ours are above, so that none is in the way.
+        ends = os.pipe() + os.pipe()
+        to_read, self.out, self.into, to_write = (fcntl.fcntl(end, fcntl.F_DUPFD_CLOEXEC, 10) for end in ends)
+        for end in ends:
+            os.close(end)
         command = [chromium(), "--headless=new", "--remote-debugging-pipe", f"--user-data-dir={self.profile}",
                    "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-first-run", "--disable-extensions",
                    "--disable-dev-shm-usage", "--disable-background-networking", f"--window-size={width},{height}",
                    "--hide-scrollbars"] + (["--no-sandbox"] if os.geteuid() == 0 else []) + ["about:blank"]
-        self.process = subprocess.Popen(
-            ["sh", "-c", f'exec "$@" 3<&{to_read} 4>&{to_write} {to_read}<&- {to_write}>&-', "sh"] + command,
-            pass_fds=(to_read, to_write), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.process = subprocess.Popen(command, pass_fds=(3, 4), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                        preexec_fn=lambda: (os.dup2(to_read, 3), os.dup2(to_write, 4)))
         os.close(to_read)
         os.close(to_write)
         self.buffer, self.number, self.events, self.session = b"", 0, [], None
@@ -90,7 +92,7 @@ class Browser:
 
     def open(self, url):
         self.call("Page.navigate", url=url)
-        self.until(f"location.href.startsWith({json.dumps(url)}) && document.documentElement.dataset.ready", "the page is ready")
+        self.until(f"location.href.startsWith({json.dumps(url)}) && document.documentElement?.dataset.ready", "the page is ready")
 
     def click(self, selector):
         self.run(f"document.querySelector({json.dumps(selector)}).click()")
@@ -109,8 +111,9 @@ class Browser:
     def drop(self, path, x=300, y=300):
         """Drops a file on the page, as a file manager would."""
         data = {"items": [], "files": [os.path.abspath(path)], "dragOperationsMask": 1}
-        for kind in ("dragEnter", "dragOver", "drop"):
+        for kind in ("dragEnter", "dragOver", "dragOver", "drop"):
             self.call("Input.dispatchDragEvent", type=kind, x=x, y=y, data=data)
+            self.run("new Promise(then => requestAnimationFrame(() => requestAnimationFrame(then)))")
 
     def choose(self, selector, path):
         """Chooses a file with a file input."""
