@@ -1,12 +1,11 @@
 // rectilin serve: a page in the browser to search a database with.
-#include "rectilin/serve/serve.h"
-
 #include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include "commands.h"
 #include "options.h"
+#include "rectilin/serve/serve.h"
 #include "terminal.h"
 
 namespace rectilin::app {
@@ -47,8 +46,7 @@ void add_serve_command(CLI::App& app, int& status) {
       ->add_option("--host", options->serve.hosts,
                    "A name that browsers may use for this machine, besides localhost and addresses; may be repeated")
       ->allow_extra_args(false);
-  command
-      ->add_option("--upload", options->serve.upload_bytes, "Size of an uploaded file at most (500K, 1G)")
+  command->add_option("--upload", options->serve.upload_bytes, "Size of an uploaded file at most (500K, 1G)")
       ->transform(CLI::AsSizeValue(false))
       ->default_str("256M");
   add_threads_option(*command, options->threads, "for searches");

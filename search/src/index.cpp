@@ -8,10 +8,10 @@
 #include <map>
 #include <set>
 
-#include "rectilin/search/digest.h"
 #include "rectilin/base/printable.h"
 #include "rectilin/mesh/edits.h"
 #include "rectilin/mesh/source.h"
+#include "rectilin/search/digest.h"
 
 namespace rectilin::search {
 namespace {

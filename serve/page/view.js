@@ -66,7 +66,7 @@ export class View {
     const lamp = new three.DirectionalLight(0xffffff, 2.2);
     lamp.position.set(-0.6, 1.2, 1);
     this.#camera.add(lamp);
-    this.#scene.add(this.#camera, this.#shape, new three.HemisphereLight(0xffffff, 0xa8adb5, 1.5));
+    this.#scene.add(this.#camera, this.#shape, new three.HemisphereLight(0xffffff, 0x7d838b, 1.25));
     box.prepend(this.#renderer.domElement);
     pose.listeners.push(() => this.#draw());
     new ResizeObserver(() => this.#draw()).observe(box);

@@ -107,12 +107,8 @@ const search::Member& Api::about(const Shape& shape) const {
 
 Json Api::to_json(const Shape& shape) const {
   const search::Member& m = about(shape);
-  Json json{{"id", shape.id},
-            {"name", printable(m.name)},
-            {"faces", m.faces},
-            {"rectilinearity", m.rectilinearity},
-            {"size", m.size},
-            {"version", m.digest}};
+  Json json{{"id", shape.id}, {"name", printable(m.name)}, {"faces", m.faces}, {"rectilinearity", m.rectilinearity},
+            {"size", m.size}, {"version", m.digest}};
   if (shape.upload && !shape.upload->left_out.empty()) json["note"] = shape.upload->left_out;
   return json;
 }
@@ -182,9 +178,8 @@ Response Api::matches(const Request& request) {
   } else {
     Json results = Json::array();
     for (std::size_t k = 0; k < found.size(); ++k)
-      results.push_back({{"name", collection_.member(found[k].member).name},
-                         {"distance", found[k].distance},
-                         {"rank", k + 1}});
+      results.push_back(
+          {{"name", collection_.member(found[k].member).name}, {"distance", found[k].distance}, {"rank", k + 1}});
     response.type = "application/json";
     response.body = to_bytes(to_text({{"query", about(query).name}, {"results", std::move(results)}}) + "\n");
   }
@@ -214,8 +209,8 @@ Bytes Api::mesh_of(const Shape& s) {
 }
 
 Response Api::mesh(const Request& request) {
-  return {200, "application/octet-stream", mesh_of(shape(needed_argument(request, "id"))),
-          {{"Cache-Control", "no-store"}}};
+  return {
+      200, "application/octet-stream", mesh_of(shape(needed_argument(request, "id"))), {{"Cache-Control", "no-store"}}};
 }
 
 Response Api::turn(const Request& request) {

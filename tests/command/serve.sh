@@ -163,7 +163,7 @@ shapes_pid=$pid
 # An empty database, an installed program without three.js.
 "$rectilin" index none -o empty.db -d r >/dev/null 2>&1
 mkdir -p prefix/bin prefix/share/rectilin
-cp "$rectilin" prefix/bin/rectilin; cp -r "$(dirname "$rectilin")/../serve/page" prefix/share/rectilin/page
+cp "$rectilin" prefix/bin/rectilin; cp -rL "$(dirname "$rectilin")/../serve/page" prefix/share/rectilin/page
 rm -rf prefix/share/rectilin/page/three
 installed=$rectilin; rectilin=$work/prefix/bin/rectilin
 start empty empty.db

@@ -95,7 +95,7 @@ std::string run_child(const std::vector<std::string>& command, const std::string
   {
     // -1 where the system has no such call: poll() is then a pause.
     const int process = static_cast<int>(syscall(SYS_pidfd_open, child, 0));
-    constexpr int kLook = 50;                  // milliseconds
+    constexpr int kLook = 50;  // milliseconds
     pollfd ended{process, POLLIN, 0};
     for (;;) {
       siginfo_t info{};

@@ -12,9 +12,9 @@
 namespace rectilin::serve {
 
 struct ChildLimits {
-  std::chrono::seconds time{30};          ///< on the clock
-  std::uint64_t memory = 3u << 30;        ///< bytes of data
-  std::uint64_t output = 512u << 20;      ///< bytes of the answer
+  std::chrono::seconds time{30};      ///< on the clock
+  std::uint64_t memory = 3u << 30;    ///< bytes of data
+  std::uint64_t output = 512u << 20;  ///< bytes of the answer
 };
 
 /// The child failed as a whole; what() is why, without a name.

@@ -33,8 +33,7 @@ struct Turn {
 class MeshWork {
  public:
   /// `command` runs mesh_worker().
-  MeshWork(std::vector<std::string> command, ChildLimits limits)
-      : command_(std::move(command)), limits_(limits) {}
+  MeshWork(std::vector<std::string> command, ChildLimits limits) : command_(std::move(command)), limits_(limits) {}
 
   /// A member's picture as a PNG file, or its mesh as compact_mesh(), both in the frame of the largest rectilinearity.
   /// The file must be the one that was indexed.

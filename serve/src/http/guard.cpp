@@ -10,7 +10,8 @@ namespace rectilin::serve {
 namespace {
 
 std::string in_small_letters(std::string text) {
-  std::ranges::transform(text, text.begin(), [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  std::ranges::transform(text, text.begin(),
+                         [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   return text;
 }
 
@@ -37,8 +38,9 @@ bool is_own_host(const std::string& host, const std::vector<std::string>& names)
     name = host.substr(0, colon);
     rest = host.substr(colon);
   }
-  const bool port = rest.empty() || (rest[0] == ':' && rest.size() <= 6 &&
-                                     std::all_of(rest.begin() + 1, rest.end(), [](char c) { return '0' <= c && c <= '9'; }));
+  const bool port =
+      rest.empty() || (rest[0] == ':' && rest.size() <= 6 &&
+                       std::all_of(rest.begin() + 1, rest.end(), [](char c) { return '0' <= c && c <= '9'; }));
   if (!port) return false;
   name = in_small_letters(name);
   return name == "localhost" || is_number_address(name) ||

@@ -36,8 +36,8 @@ Listener listen_on(const std::string& address, std::uint16_t port) {
   socklen_t size = sizeof own;
   if (!listens || getsockname(s, reinterpret_cast<sockaddr*>(&own), &size) != 0) {
     if (s >= 0) close(s);
-    throw std::runtime_error(name + ": " +
-                             (error == EADDRINUSE ? "the port is in use; --port 0 finds another" : system_reason(error)));
+    throw std::runtime_error(
+        name + ": " + (error == EADDRINUSE ? "the port is in use; --port 0 finds another" : system_reason(error)));
   }
   const in_port_t at = own.ss_family == AF_INET6 ? reinterpret_cast<const sockaddr_in6&>(own).sin6_port
                                                  : reinterpret_cast<const sockaddr_in&>(own).sin_port;

@@ -28,7 +28,7 @@ Response plain_error(int status, const std::string& text) {
 struct Exchange {
   Request request;
   std::optional<Response> response;
-  bool handed_over = false;  ///< to a worker
+  bool handed_over = false;   ///< to a worker
   std::uint64_t counted = 0;  ///< of the bytes that all bodies together may have
 };
 
@@ -43,7 +43,8 @@ MHD_Result keep_argument(void* request, MHD_ValueKind, const char* key, std::siz
 MHD_Result keep_header(void* request, MHD_ValueKind, const char* key, std::size_t key_size, const char* value,
                        std::size_t value_size) {
   std::string name = text_of(key, key_size);
-  std::ranges::transform(name, name.begin(), [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  std::ranges::transform(name, name.begin(),
+                         [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   static_cast<Request*>(request)->headers.emplace(std::move(name), text_of(value, value_size));
   return MHD_YES;
 }
@@ -51,7 +52,8 @@ MHD_Result keep_header(void* request, MHD_ValueKind, const char* key, std::size_
 MHD_Result send(MHD_Connection* connection, const Response& response) {
   auto* kept = new Bytes(response.body ? response.body : to_bytes(""));
   MHD_Response* sent = MHD_create_response_from_buffer_with_free_callback_cls(
-      (*kept)->size(), const_cast<char*>((*kept)->data()), [](void* bytes) { delete static_cast<Bytes*>(bytes); }, kept);
+      (*kept)->size(), const_cast<char*>((*kept)->data()), [](void* bytes) { delete static_cast<Bytes*>(bytes); },
+      kept);
   if (!sent) {
     delete kept;
     return MHD_NO;
@@ -199,13 +201,13 @@ HttpServer::HttpServer(const std::string& address, std::uint16_t port, const Htt
   Implementation& own = *implementation_;
   own.listener = listen_on(address, port);
   own.workers = std::make_unique<Workers>(limits.workers, limits.waiting);
-  own.daemon = MHD_start_daemon(
-      MHD_USE_EPOLL_INTERNAL_THREAD | MHD_ALLOW_SUSPEND_RESUME, 0, nullptr, nullptr, &Implementation::access, &own,
-      MHD_OPTION_LISTEN_SOCKET, own.listener.socket, MHD_OPTION_CONNECTION_LIMIT,
-      static_cast<unsigned>(limits.connections), MHD_OPTION_CONNECTION_MEMORY_LIMIT, limits.header_bytes,
-      MHD_OPTION_CONNECTION_TIMEOUT, static_cast<unsigned>(limits.silence.count()), MHD_OPTION_STRICT_FOR_CLIENT, 1,
-      MHD_OPTION_NOTIFY_COMPLETED, &Implementation::completed, &own, MHD_OPTION_NOTIFY_CONNECTION,
-      &Implementation::connected, &own, MHD_OPTION_END);
+  own.daemon = MHD_start_daemon(MHD_USE_EPOLL_INTERNAL_THREAD | MHD_ALLOW_SUSPEND_RESUME, 0, nullptr, nullptr,
+                                &Implementation::access, &own, MHD_OPTION_LISTEN_SOCKET, own.listener.socket,
+                                MHD_OPTION_CONNECTION_LIMIT, static_cast<unsigned>(limits.connections),
+                                MHD_OPTION_CONNECTION_MEMORY_LIMIT, limits.header_bytes, MHD_OPTION_CONNECTION_TIMEOUT,
+                                static_cast<unsigned>(limits.silence.count()), MHD_OPTION_STRICT_FOR_CLIENT, 1,
+                                MHD_OPTION_NOTIFY_COMPLETED, &Implementation::completed, &own,
+                                MHD_OPTION_NOTIFY_CONNECTION, &Implementation::connected, &own, MHD_OPTION_END);
   if (!own.daemon) {
     close(own.listener.socket);
     throw std::runtime_error(with_port(address, own.listener.port) + ": the server cannot be started");

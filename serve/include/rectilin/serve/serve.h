@@ -14,9 +14,9 @@ namespace rectilin::serve {
 
 struct ServeOptions {
   std::string database;
-  std::string address = "127.0.0.1";     ///< of numbers, IPv4 or IPv6; 0.0.0.0 lets other machines in
-  std::uint16_t port = 8737;             ///< 0: any that is free
-  std::vector<std::string> hosts;        ///< names that browsers may know the server by, besides addresses and localhost
+  std::string address = "127.0.0.1";  ///< of numbers, IPv4 or IPv6; 0.0.0.0 lets other machines in
+  std::uint16_t port = 8737;          ///< 0: any that is free
+  std::vector<std::string> hosts;     ///< names that browsers may know the server by, besides addresses and localhost
   std::uint64_t upload_bytes = 256u << 20;  ///< size of an uploaded file
   std::vector<std::string> worker_command;  ///< runs run_mesh_worker(): a path and arguments
 };
