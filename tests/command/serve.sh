@@ -157,6 +157,10 @@ expect 1 'nowhere.db' "$rectilin" serve nowhere.db
 expect 1 'another.ply: ' "$rectilin" serve another.ply --port 0
 head -c 20000 shapes.db >cut.db; expect 1 'cut.db: ' "$rectilin" serve cut.db --port 0
 [ "$(cat out err | wc -l)" -eq 1 ] || fail "one line about a cut database"
+cp shapes.db other.db
+python3 -c "import sqlite3; d = sqlite3.connect('other.db'); d.execute(\"UPDATE facts SET value = 'x' WHERE key <> 'descriptor'\"); d.commit()"
+expect 1 'other.db: ' "$rectilin" serve other.db --port 0
+[ "$(cat out err | wc -l)" -eq 1 ] || fail "one line about a database of another build"
 [ -e nowhere.db ] && fail "a database was made by serving"
 shapes_pid=$pid
 
