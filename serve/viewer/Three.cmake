@@ -26,8 +26,9 @@ if(NOT RECTILIN_NPM)
   return()
 endif()
 file(COPY viewer/package.json viewer/package-lock.json DESTINATION ${npm_dir})
-execute_process(COMMAND ${RECTILIN_NPM} ci --ignore-scripts --no-audit --no-fund WORKING_DIRECTORY ${npm_dir}
-  TIMEOUT 120 RESULT_VARIABLE failed OUTPUT_QUIET ERROR_VARIABLE reason)
+execute_process(COMMAND ${RECTILIN_NPM} ci --ignore-scripts --no-audit --no-fund --fetch-retries=1
+  --fetch-retry-mintimeout=1000 --fetch-retry-maxtimeout=1000 WORKING_DIRECTORY ${npm_dir}  # gives up soon without a network
+  TIMEOUT 300 RESULT_VARIABLE failed OUTPUT_QUIET ERROR_VARIABLE reason)
 if(failed)
   string(REGEX REPLACE "\n.*" "" reason "${reason}")
   message(STATUS "npm cannot fetch three.js (${reason}): 'rectilin serve' shows pictures, nothing in 3D")
