@@ -15,7 +15,7 @@ struct Request {
   std::map<std::string, std::string> arguments;  ///< what is after '?', decoded; the first of equal names
   std::map<std::string, std::string> headers;    ///< names in small letters; the first of equal names
   std::uint64_t length = 0;                      ///< of the body, as announced
-  std::string body;
+  std::string body = {};
 
   std::string header(const std::string& name) const {
     const auto found = headers.find(name);
