@@ -23,5 +23,6 @@ void add_corpus_commands(CLI::App& app, int& status);
 void add_describe_command(CLI::App& app, int& status);
 void add_search_commands(CLI::App& app, int& status);
 void add_duplicates_command(CLI::App& app, int& status);
+void add_serve_command(CLI::App& app, int& status);  ///< only in builds with the house serve
 
 }  // namespace rectilin::app

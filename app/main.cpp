@@ -37,6 +37,9 @@ int main(int argc, char** argv) {
   add_describe_command(app, status);
   add_search_commands(app, status);
   add_duplicates_command(app, status);
+#ifdef RECTILIN_HAS_SERVE
+  add_serve_command(app, status);
+#endif
   add_list_commands(app);
 
   app.failure_message([](const CLI::App*, const CLI::Error& e) {

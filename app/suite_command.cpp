@@ -40,8 +40,8 @@ int list_suites() {
 int export_problems(const laboratory::Suite& suite, const SuiteOptions& options) {
   const auto limit = limit_threads(options.threads);
   Progress progress(suite.problems.size());
-  const std::vector<std::string> losses =
-      laboratory::export_suite(suite, options.out, options.gap, {.stop = stop_on_interrupt(), .on_progress = progress.shown()});
+  const std::vector<std::string> losses = laboratory::export_suite(
+      suite, options.out, options.gap, {.stop = stop_on_interrupt(), .on_progress = progress.shown()});
   progress.clear();
   for (const std::string& loss : losses) complain(loss);
   std::cout << printable(options.out) << "/suite.json\n";

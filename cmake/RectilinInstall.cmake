@@ -18,4 +18,5 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/rectilin-config-version.c
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/rectilin-config.cmake ${PROJECT_BINARY_DIR}/rectilin-config-version.cmake
   ${PROJECT_SOURCE_DIR}/cmake/FindNLoptCxx.cmake ${PROJECT_SOURCE_DIR}/cmake/FindLib3MF.cmake
-  ${PROJECT_SOURCE_DIR}/cmake/FindLibDeflate.cmake DESTINATION ${package_dir})
+  ${PROJECT_SOURCE_DIR}/cmake/FindLibDeflate.cmake ${PROJECT_SOURCE_DIR}/cmake/FindMicrohttpd.cmake
+  DESTINATION ${package_dir})

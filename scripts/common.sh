@@ -5,7 +5,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 packages=(g++ cmake ninja-build xz-utils
   libeigen3-dev libtbb-dev libhwy-dev nlohmann-json3-dev libcli11-dev catch2 gnuplot-nox
   libnlopt-cxx-dev libceres-dev libpagmo-dev libmeshoptimizer-dev libqhull-dev libpng-dev libtinygltf-dev lib3mf-dev
-  libarchive-dev libdeflate-dev libsqlite3-dev libbenchmark-dev libpolyclipping-dev
+  libarchive-dev libdeflate-dev libsqlite3-dev libmicrohttpd-dev libbenchmark-dev libpolyclipping-dev
   python3-dev pybind11-dev python3-numpy python3-scipy python3-matplotlib python3-pytest python3-pip python3-setuptools
   python3-wheel)
 
@@ -46,11 +46,22 @@ install_packages() {
   [ ${#missing[@]} -eq 0 ] || step "Installing ${missing[*]}" apt_install "${missing[@]}"
 }
 
+# install_commands COMMAND...: installs the packages of these names unless there are such commands, from wherever: Node.js
+# often comes with an npm of its own.
+install_commands() {
+  local missing=() command
+  for command in "$@"; do
+    command -v "$command" >/dev/null || missing+=("$command")
+  done
+  [ ${#missing[@]} -eq 0 ] || install_packages "${missing[@]}"
+}
+
 # build PRESET [CMAKE OPTION...]: configures in build/PRESET and builds the array `targets`, or all if it is empty.
 targets=()
 build() {
   local preset=$1; shift
   install_packages "${packages[@]}"
+  install_commands npm  # fetches what shows shapes in 3D in the browser
   [ -z "${CI:-}" ] || set -- -DRECTILIN_WARNINGS_AS_ERRORS=ON "$@"
   step "Configuring ($preset)" cmake --preset "$preset" "$@"
   step "Building ($preset)" cmake --build --preset "$preset" ${targets[@]:+--target "${targets[@]}"}

@@ -120,8 +120,8 @@ Neighbours find(const LoadedDatabase& database, py::handle vertices, py::handle 
   else member = member_of(database, like);
   Neighbours result;
   const py::gil_scoped_release release;
-  const search::Parts query =
-      member ? database.nearest.parts_of(*member) : search::describe_mesh(std::move(*mesh), database.terms).parts;
+  const search::Parts query = member ? database.nearest.parts_of(*member)
+                                     : search::describe_model(retrieval::Model(std::move(*mesh)), database.terms).parts;
   const auto wanted = [&](std::size_t i) { return (!member || *member != i) && (kept.empty() || kept[i]); };
   const auto found = collection ? search::diffused_nearest(database.nearest, query, n, wanted)
                                 : database.nearest.nearest(query, n, wanted);

@@ -1,12 +1,13 @@
 #include "alignment.h"
 
-#include <Eigen/Dense>
-#include <Eigen/Eigenvalues>
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "rectilin/base/rotation.h"
+#include "rectilin/base/symmetric.h"
 
 namespace rectilin::search {
 namespace {
@@ -42,10 +43,10 @@ AlignedShape::AlignedShape(const retrieval::Model& model) {
   if (!(area > 0)) throw MeshError("no area");
   second /= area;
   const double rms = std::sqrt(second.trace());
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(second);
+  const SymmetricEigen eigen = symmetric_eigen(second);
   for (int k = 0; k < 3; ++k) {
-    principal_.row(k) = solver.eigenvectors().col(2 - k).transpose();
-    moments_(k) = solver.eigenvalues()(2 - k) / second.trace();
+    principal_.row(k) = eigen.vectors.col(2 - k).transpose();
+    moments_(k) = eigen.values(2 - k) / second.trace();
   }
   if (principal_.determinant() < 0) principal_.row(2) *= -1;
   rectilinear_ = model.frame("rectilinear").rotation.matrix();
@@ -185,6 +186,19 @@ Fit best_fit(const AlignedShape& first, const AlignedShape& second, bool mirrore
     if (measure(first, second, fit, kFine) && fit.distance < best.distance) best = fit;
   }
   measure(first, second, best, 1);
+  return best;
+}
+
+Fit best_frame(const AlignedShape& first, const AlignedShape& second) {
+  const Eigen::Matrix3d to_frame = second.rectilinear() * second.principal().transpose();
+  const Eigen::Matrix3d from_frame = first.principal() * first.rectilinear().transpose();
+  Fit best;
+  best.distance = std::numeric_limits<double>::infinity();
+  for (const Rotation& d : frame_symmetries()) {
+    Fit fit;
+    fit.linear = from_frame * d.matrix() * to_frame;
+    if (measure(first, second, fit, kFine) && fit.distance < best.distance) best = fit;
+  }
   return best;
 }
 

@@ -50,6 +50,10 @@ struct Fit {
 /// The best fit of `second` to `first` without or with a reflection.
 Fit best_fit(const AlignedShape& first, const AlignedShape& second, bool mirrored);
 
+/// The best of the 24 turns that take the second's frame of largest rectilinearity to the first's, as it is: shapes
+/// that are merely alike are not tilted to fit a little better.
+Fit best_frame(const AlignedShape& first, const AlignedShape& second);
+
 /// The way back; the distance is kept.
 Fit inverse(const Fit& fit);
 

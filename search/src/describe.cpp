@@ -23,9 +23,8 @@ std::vector<retrieval::DescriptorPointer> make_terms(const std::string& descript
   return terms;
 }
 
-DescribedMesh describe_mesh(Mesh mesh, const std::vector<retrieval::DescriptorPointer>& terms) {
+DescribedMesh describe_model(const retrieval::Model& model, const std::vector<retrieval::DescriptorPointer>& terms) {
   const double begin = seconds_of_thread();
-  const retrieval::Model model(std::move(mesh));
   DescribedMesh described;
   for (const auto& term : terms) described.parts.push_back(term->describe(model));
   Member& m = described.member;
@@ -38,7 +37,7 @@ DescribedMesh describe_mesh(Mesh mesh, const std::vector<retrieval::DescriptorPo
 }
 
 DescribedMesh describe_source(const std::string& source, const std::vector<retrieval::DescriptorPointer>& terms) {
-  return describe_mesh(load_mesh(source).mesh, terms);
+  return describe_model(retrieval::Model(load_mesh(source).mesh), terms);
 }
 
 }  // namespace rectilin::search

@@ -1,4 +1,4 @@
-#include "digest.h"
+#include "rectilin/search/digest.h"
 
 #include <cstring>
 #include <fstream>

@@ -8,8 +8,8 @@
 #include <optional>
 #include <set>
 
-#include "digest.h"
 #include "rectilin/mesh/source.h"
+#include "rectilin/search/digest.h"
 
 namespace rectilin::search {
 

@@ -1,4 +1,3 @@
-#include "rectilin/search/describe.h"
 #include "rectilin/search/index.h"
 
 #include <algorithm>
@@ -6,10 +5,11 @@
 #include <map>
 #include <set>
 
-#include "digest.h"
 #include "found_files.h"
 #include "rectilin/base/printable.h"
 #include "rectilin/mesh/source.h"
+#include "rectilin/search/describe.h"
+#include "rectilin/search/digest.h"
 #include "rectilin/search/index_worker.h"
 
 namespace rectilin::search {

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <stdexcept>
 
-
 namespace rectilin::search {
 namespace {
 
@@ -17,7 +16,7 @@ double number_in(const Json& result, const char* key) {
 corpus::Work make_index_work(const Json& settings) {
   return [terms = make_terms(settings.at("descriptor").get<std::string>())](const NamedSource&,
                                                                             const LoadedMesh& loaded) {
-    const DescribedMesh described = describe_mesh(loaded.mesh, terms);
+    const DescribedMesh described = describe_model(retrieval::Model(loaded.mesh), terms);
     const Member& m = described.member;
     corpus::WorkResult done;
     done.result = {{"faces", m.faces}, {"rectilinearity", m.rectilinearity}, {"size", m.size}, {"seconds", m.seconds}};

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "rectilin/retrieval/model.h"
 #include "rectilin/search/database.h"
 
 namespace rectilin::search {
@@ -15,7 +16,7 @@ struct DescribedMesh {
 };
 
 /// Describes a mesh by every term. Throws MeshError.
-DescribedMesh describe_mesh(Mesh mesh, const std::vector<retrieval::DescriptorPointer>& terms);
+DescribedMesh describe_model(const retrieval::Model& model, const std::vector<retrieval::DescriptorPointer>& terms);
 
 /// Reads a mesh and describes it.
 DescribedMesh describe_source(const std::string& source, const std::vector<retrieval::DescriptorPointer>& terms);
