@@ -1,6 +1,7 @@
 #include "child/tasks.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "rectilin/base/printable.h"
@@ -26,7 +27,9 @@ std::string picture_of(const retrieval::Model& model) {
 
 Json member_bytes(const Json& task, bool picture) {
   const std::string source = text_of_bytes(task["source"]);
-  if (search::source_digest(source) != task["digest"])
+  const std::string file = search::file_of(source);
+  const std::optional<std::string> digest = file.empty() ? std::string() : search::file_digest(file);
+  if (!digest || search::source_digest(source, *digest) != task["digest"])
     throw MeshError(printable(source) + ": changed since it was indexed; run 'rectilin index' again");
   const retrieval::Model model(load_mesh(source).mesh);
   return {{"bytes", as_bytes(picture ? picture_of(model) : compact_mesh(model.posed("rectilinear")))}};
