@@ -242,14 +242,14 @@ order of their names; all arrays are in this order. Raises OSError if the file c
           "A list of str: where each mesh lies, for load().")
       .def_property_readonly(
           "rectilinearity",
-          [](const LoadedDatabase& d) { return column<double>(d, [](const auto& m) { return m.rectilinearity; }); },
+          [](const LoadedDatabase& d) { return column<double>(d, [](const auto& row) { return row.rectilinearity; }); },
           "(n,) float64: R, certified to 1e-6.")
       .def_property_readonly(
           "faces",
-          [](const LoadedDatabase& d) { return column<std::int64_t>(d, [](const auto& m) { return m.faces; }); },
+          [](const LoadedDatabase& d) { return column<std::int64_t>(d, [](const auto& row) { return row.faces; }); },
           "(n,) int64: number of triangles.")
       .def_property_readonly(
-          "size", [](const LoadedDatabase& d) { return column<double>(d, [](const auto& m) { return m.size; }); },
+          "size", [](const LoadedDatabase& d) { return column<double>(d, [](const auto& row) { return row.size; }); },
           "(n,) float64: longest side of the box around each, in its file's unit.")
       .def_property_readonly(
           "failed",
