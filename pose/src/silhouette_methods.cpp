@@ -77,7 +77,8 @@ Pose cpn_pose(const Surface& surface, const CpnOptions& options) {
   inherit(pose, take_pca ? pca : rectilinear);
   choose(pose, take_pca ? 0 : 1);
   pose.reason = two_figures("silhouettes %.4f of the surface by PCA, %.4f by rectilinearity", first, second);
-  const double margin = std::abs(first - second) / std::max(first, second);
+  const double larger = std::max(first, second);  // 0 if nothing is as large as a pixel
+  const double margin = larger > 0 ? std::abs(first - second) / larger : 0;
   pose.confidence = margin / (margin + 0.02);
   return pose;
 }

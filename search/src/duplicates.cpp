@@ -15,6 +15,7 @@ namespace rectilin::search {
 namespace {
 
 constexpr double kLikeR = 0.2;          // rectilinearities of a shape and of its simplified copy differ by less
+constexpr double kFewShared = 16;       // vertices: a box shares seven of its eight with one whose corner is cut off
 constexpr double kLikeMoments = 0.1;    // and their shares of the second moment
 constexpr double kSame = 1e-3;          // surfaces that are nearer are the same without a reflection
 constexpr double kClearlyNearer = 0.5;  // a reflection counts if it fits so much better
@@ -171,7 +172,10 @@ Duplicates find_duplicates(Database& database, const DuplicateOptions& options, 
     const bool first_is_fine = first.vertices().size() >= second.vertices().size();
     const VertexFit vertices = first_is_fine ? vertex_fit(first, second, fit) : vertex_fit(second, first, inverse(fit));
     if (fit.distance > options.tolerance) {
-      if (vertices.share < options.shared || vertices.fit.distance > options.loose) return std::nullopt;
+      const auto corners = static_cast<double>((first_is_fine ? second : first).vertices().size());
+      if (vertices.share < options.shared || vertices.share * corners < kFewShared ||
+          vertices.fit.distance > options.loose)
+        return std::nullopt;
       fit = first_is_fine ? vertices.fit : inverse(vertices.fit);
     }
     const double scale = std::cbrt(std::abs(fit.linear.determinant()));

@@ -15,6 +15,8 @@ double squared_distance(const Vector3& p, const Vector3& low, const Vector3& hig
 
 }  // namespace
 
+// Ericson, Real-Time Collision Detection, section 5.1.5. Sides without length are passed over, so that triangles
+// without area, of which files have many, are the segments or points that they are.
 Vector3 nearest_of_triangle(const Vector3& p, const SurfaceTree::Corners& t) {
   const Vector3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0];
   const double d1 = ab.dot(ap), d2 = ac.dot(ap);
@@ -23,14 +25,15 @@ Vector3 nearest_of_triangle(const Vector3& p, const SurfaceTree::Corners& t) {
   const double d3 = ab.dot(bp), d4 = ac.dot(bp);
   if (d3 >= 0 && d4 <= d3) return t[1];
   const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return t[0] + d1 / (d1 - d3) * ab;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0 && d1 > d3) return t[0] + d1 / (d1 - d3) * ab;
   const Vector3 cp = p - t[2];
   const double d5 = ab.dot(cp), d6 = ac.dot(cp);
   if (d6 >= 0 && d5 <= d6) return t[2];
   const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return t[0] + d2 / (d2 - d6) * ac;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0 && d2 > d6) return t[0] + d2 / (d2 - d6) * ac;
   const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return t[1] + (d4 - d3) / (d4 - d3 + d5 - d6) * (t[2] - t[1]);
+  if (va <= 0 && d4 >= d3 && d5 >= d6 && d4 - d3 + d5 - d6 > 0)
+    return t[1] + (d4 - d3) / (d4 - d3 + d5 - d6) * (t[2] - t[1]);
   const double sum = va + vb + vc;
   return sum > 0 ? Vector3(t[0] + vb / sum * ab + vc / sum * ac) : t[0];
 }
@@ -82,7 +85,7 @@ SurfaceTree::Foot SurfaceTree::nearest(const Vector3& p, double within) const {
       for (std::uint32_t i = node.begin; i < node.end; ++i) {
         const Vector3 q = nearest_of_triangle(p, triangles_[order_[i]]);
         const double d = (q - p).squaredNorm();
-        if (d >= limit) continue;
+        if (!(d < limit)) continue;
         limit = d;
         foot = {q, 0, order_[i]};
       }

@@ -89,7 +89,7 @@ cmp -s out all || fail "the same results after kill -9"
 (trap '' XFSZ; ulimit -f 24; expect 1 'full.db: ' "$rectilin" index meshes -o full.db; exit $failures) ||
   fail "a full disk while indexing"
 expect 0 ' 0 failed' "$rectilin" index meshes -o full.db
-expect 0 query "$rectilin" search full.db turned.ply
+expect 0 torus2 "$rectilin" search full.db turned.ply
 (trap '' XFSZ; ulimit -f 1; expect 1 'found-full.html: ' "$rectilin" search full.db turned.ply -n 3 --page found-full.html
  exit $failures) || fail "a full disk while writing a page"
 [ -e found-full.html ] && fail "half of a page was left"

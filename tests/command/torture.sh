@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# pose, index and compare, each killed at fifty random moments: what they leave, run to its end, is what an undisturbed
-# run makes, bit for bit.  Usage: torture.sh RECTILIN
+# pose, index and compare, each killed at twenty random moments: what they leave, run to its end, is what an undisturbed
+# run makes, bit for bit.  Usage: torture.sh RECTILIN [KILLS]
 . "$(dirname "$0")/expect.sh"
 
 RANDOM=7
-kills=50
+kills=${2:-20}
 mkdir meshes
 for i in $(seq 3 42); do "$rectilin" convert "shape:prism?sides=$i" meshes/prism$i.off || fail convert; done
 for i in $(seq 40); do "$rectilin" convert "shape:blob?faces=2000&seed=$i" meshes/blob$i.off || fail convert; done

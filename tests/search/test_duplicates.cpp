@@ -80,7 +80,23 @@ TEST_CASE("a foot is the nearest point of the surface") {
     const Vector3 at(random.normal(), random.normal(), random.normal());
     SurfaceTree::Corners t;
     for (Vector3& corner : t) corner = at + 0.3 * Vector3(random.normal(), random.normal(), random.normal());
-    if (i % 10 == 0) t[2] = i % 20 == 0 ? t[1] : Vector3((t[0] + t[1]) / 2);  // without area
+    switch (i % 20) {  // some without area
+      case 0:
+        t[2] = t[1];
+        break;
+      case 1:
+        t[1] = t[0];
+        break;
+      case 2:
+        t[2] = t[0];
+        break;
+      case 3:
+        t[1] = t[2] = t[0];
+        break;
+      case 4:
+        t[2] = (t[0] + t[1]) / 2;
+        break;
+    }
     triangles.push_back(t);
   }
   const SurfaceTree tree(triangles);

@@ -12,7 +12,7 @@ const double kSqrt3 = std::sqrt(3.0);
 std::vector<Rotation> rotations_for(const TestMesh& tested, Random& random, const Vector3& target) {
   std::vector<Rotation> rotations{tested.best.rotation};
   for (int i = 0; i < 4; ++i) rotations.push_back(random_rotation(random));
-  rotations.push_back(frame_about(target).inverse() * frame_about(tested.vectors()[0].normalized()));
+  rotations.push_back(frame_about(target.normalized()).inverse() * frame_about(tested.vectors()[0].normalized()));
   return rotations;
 }
 

@@ -15,7 +15,7 @@ struct DuplicateOptions {
   std::size_t neighbours = 10;  ///< of each member so many are looked at more closely
   double widest = 0.6;          ///< and of these those that are no further by the descriptor; in typical distances
   double tolerance = 0.015;     ///< largest distance of the surfaces, root mean square, in radii of the shape
-  double shared = 0.6;          ///< or this share of the coarser mesh's vertices are vertices of the other, and
+  double shared = 0.8;          ///< or this share of the coarser mesh's vertices, 16 at least, are the other's, and
   double loose = 0.2;           ///< the surfaces are no further apart than this: a simplified copy
 };
 
