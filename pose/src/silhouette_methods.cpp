@@ -60,7 +60,7 @@ void inherit(Pose& pose, const Pose& from) {
 
 Pose cpn_pose(const Surface& surface, const CpnOptions& options) {
   const Pose pca = pca_pose(surface);
-  const Pose rectilinear = rectilinear_pose(surface, {.gap = options.gap});
+  const Pose rectilinear = rectilinear_pose(surface, {.gap = options.gap, .cells = 20'000});
   Pose pose;
   pose.candidates = {pca.candidates.front(), rectilinear.candidates.front()};
   double first = 0, second = 0;
