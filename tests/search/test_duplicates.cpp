@@ -171,3 +171,15 @@ TEST_CASE("groups of a folder") {
   }
   CHECK(groups == std::vector<std::string>{"a1 a2 a3~ ", "b1 b2 ", "d e "});
 }
+
+TEST_CASE("a few vertices in common say nothing") {
+  // Seven of each ten are the same, the corners of a cube; the surfaces are further apart than the tolerance.
+  const test::ScratchFolder scratch;
+  write_mesh(scratch.path() / "a.off", load_mesh("shape:cut-cube?depth=0.15").mesh);
+  write_mesh(scratch.path() / "b.off", load_mesh("shape:cut-cube?depth=0.2").mesh);
+  Database database(scratch.path() / "shapes.db", "gsmd?views=6");
+  CHECK(update_index(database, {scratch.path().string()}).errors.empty());
+  const Duplicates found = find_duplicates(database, {.shared = 0.6});
+  CHECK(found.pairs_looked_at == 1);
+  CHECK(found.groups.empty());
+}
