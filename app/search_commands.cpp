@@ -34,7 +34,7 @@ int index_folders(const IndexOptions& options) {
   how.retry = options.corpus.retry;
   how.done.assign(options.corpus.done.begin(), options.corpus.done.end());
   how.workers = worker_options(options.corpus, options.seconds, options.threads);
-  search::Database database(options.out, search::descriptor_for(options.out, options.descriptor));
+  search::Database database(options.out, options.descriptor);
   search::IndexSummary summary;
   {
     std::unique_ptr<Progress> progress;

@@ -140,7 +140,7 @@ py::dict index(py::handle sources, py::handle out, const std::optional<std::stri
   const auto limit = limit_threads(threads);
   const search::IndexSummary done = as_os_error([&] {
     return with_progress(std::move(progress), [&](const LoopControl& control) {
-      search::Database database(file, search::descriptor_for(file, descriptor.value_or("")));
+      search::Database database(file, descriptor.value_or(""));
       return search::update_index(database, names, control);
     });
   });

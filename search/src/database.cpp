@@ -89,8 +89,8 @@ struct Database::Implementation {
   std::unique_ptr<corpus::Transaction> open;
 };
 
-Database::Database(const fs::path& file, const std::string& text) {
-  const std::string& descriptor = retrieval::without_alias(text);
+Database::Database(const fs::path& file, const std::string& wanted) {
+  const std::string descriptor = retrieval::without_alias(wanted.empty() ? "best" : wanted);
   const std::string settings = all_settings(descriptor);  // before a file is made
   implementation_ = std::make_unique<Implementation>(file, Mode::kWrite);
   corpus::Database& database = implementation_->database;
@@ -100,7 +100,7 @@ Database::Database(const fs::path& file, const std::string& text) {
   corpus::make_tables(database, kSearchFile,
                       {{"descriptor", descriptor}, {"settings", settings}, {"version", version()}});
   implementation_->check();
-  if (implementation_->descriptor != descriptor)
+  if (!wanted.empty() && implementation_->descriptor != descriptor)
     throw ParameterError(file.string() + ": holds signatures of '" + implementation_->descriptor + "', not of '" +
                          descriptor + "'");
 }

@@ -250,11 +250,6 @@ class IndexUpdate final : public corpus::JobHandler {
 
 }  // namespace
 
-std::string descriptor_for(const fs::path& file, const std::string& wanted) {
-  if (!wanted.empty()) return wanted;
-  return fs::exists(file) ? Database(file).descriptor() : "best";
-}
-
 IndexSummary update_index(Database& database, const std::vector<std::string>& sources, const LoopControl& control,
                           const IndexOptions& options) {
   return IndexUpdate(database, options).run(sources, control);

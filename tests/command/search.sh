@@ -104,6 +104,13 @@ mkdir -p second
 kill -CONT $pid; wait $pid || fail "the first of two writers"
 expect 0 '12 unchanged' "$rectilin" index meshes -o two.db
 
+# The same at the moment when the first has made the file and not yet its tables; killed then, it left an empty file.
+: >begun.db
+(exec 9>begun.db-lock && flock 9 &&
+ expect 1 'begun.db: another program is writing to it' "$rectilin" index meshes -o begun.db; exit $failures) ||
+  fail "a file that another writer has begun"
+expect 0 '12 added' "$rectilin" index meshes -o begun.db
+
 # Another program's database.
 python3 -c 'import sqlite3; c = sqlite3.connect("foreign.db"); c.execute("create table x (a)"); c.commit()'
 cp foreign.db foreign.before

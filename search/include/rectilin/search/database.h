@@ -45,8 +45,9 @@ using Parts = std::vector<retrieval::Signature>;
 /// another kind of file or was written by a version of the program whose signatures differ.
 class Database {
  public:
-  /// Opens a database for writing, or makes one, whose signatures are of a descriptor (a text for make_descriptor()).
-  /// Throws ParameterError if it holds those of another, std::runtime_error if another program writes to it.
+  /// Opens a database for writing, or makes one, whose signatures are of a descriptor (a text for make_descriptor());
+  /// if that is empty, of the one that the file has, "best" for a new file. Throws ParameterError if the file holds those
+  /// of another, std::runtime_error if another program writes to it.
   Database(const std::filesystem::path& file, const std::string& descriptor);
   /// Opens one for reading.
   explicit Database(const std::filesystem::path& file);

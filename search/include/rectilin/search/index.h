@@ -35,9 +35,6 @@ struct IndexSummary {
   bool complete = false;            ///< false if it was stopped; the same call goes on
 };
 
-/// What a database is opened with: `wanted` or, if that is empty, the descriptor of the file, "best" if there is none.
-std::string descriptor_for(const std::filesystem::path& file, const std::string& wanted);
-
 /// Makes the database's members what `sources` name: files, folders with all below, archives, lists (see
 /// expand_sources()). Members elsewhere, under none of the sources or in other shards, stay as they are. Several meshes
 /// are described at a time; the database is the same for any number of threads or workers, but for seconds. A file that
