@@ -18,22 +18,22 @@ constexpr std::size_t kLongest = std::size_t{1} << 28;
 
 }  // namespace
 
-std::string mesh_message(const NamedSource& mesh) {
-  return std::to_string(mesh.name.size()) + ' ' + std::to_string(mesh.group.size()) + ' ' + mesh.name + mesh.group +
-         mesh.source;
+std::string job_message(std::size_t number, const NamedSource& mesh) {
+  return std::to_string(number) + ' ' + std::to_string(mesh.name.size()) + ' ' + std::to_string(mesh.group.size()) +
+         ' ' + mesh.name + mesh.group + mesh.source;
 }
 
-NamedSource mesh_in(std::string_view message) {
-  std::size_t sizes[2] = {0, 0};
-  for (std::size_t& size : sizes) {
-    const char* const end = std::from_chars(message.data(), message.data() + message.size(), size).ptr;
+MeshJob job_in(std::string_view message) {
+  std::size_t number = 0, name_size = 0, group_size = 0;
+  for (std::size_t* const n : {&number, &name_size, &group_size}) {
+    const char* const end = std::from_chars(message.data(), message.data() + message.size(), *n).ptr;
     message.remove_prefix(std::min(static_cast<std::size_t>(end - message.data()) + 1, message.size()));
   }
-  const std::string_view name = message.substr(0, sizes[0]);
+  const std::string_view name = message.substr(0, name_size);
   message.remove_prefix(name.size());
-  const std::string_view group = message.substr(0, sizes[1]);
+  const std::string_view group = message.substr(0, group_size);
   message.remove_prefix(group.size());
-  return {std::string(name), std::string(message), std::string(group)};
+  return {number, {std::string(name), std::string(message), std::string(group)}};
 }
 
 Channel::~Channel() {

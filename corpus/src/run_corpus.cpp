@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <map>
+#include <optional>
 
 #include "rectilin/base/version.h"
 
@@ -22,7 +23,15 @@ struct PartialRow {
 class StoreFiller final : public JobHandler {
  public:
   StoreFiller(std::span<const NamedSource> jobs, Store& store, const CorpusOptions& options)
-      : jobs_(jobs), store_(store), options_(options) {}
+      : jobs_(jobs), store_(store), options_(options), is_over_(jobs.size()) {
+    if (!options.share) return;
+    const std::vector<std::string> done = store.digests();
+    claims_.emplace(Claims::make(done.size() + jobs.size()));
+    for (const std::string& digest : done) claims_->claim(digest, Claims::kDone);
+  }
+
+  /// Nothing if each mesh is done whether it is like another or not.
+  const Claims* claims() const { return claims_ ? &*claims_ : nullptr; }
 
   CorpusSummary summary() const {
     CorpusSummary summary = summary_;
@@ -30,26 +39,24 @@ class StoreFiller final : public JobHandler {
     return summary;
   }
 
-  bool read(std::size_t job, const Json& about) override {
-    PartialRow partial = begin_row(job);
-    partial.row.digest = about["digest"];
-    partial.row.report = to_text(about["report"]);
-    partial.left_out = about["left_out"];
-    if (options_.share) {
-      const std::string& digest = partial.row.digest;
-      if (const auto same = store_.find_digest(digest)) {
-        partial.row.result = same->result;
-        ++summary_.copied;
-        put(partial, RowStatus::kDone, {});
-        return false;
-      }
-      // A job whose worker was killed is begun again.
-      const auto [first, is_first] = in_work_.try_emplace(digest, job);
-      if (!is_first && first->second != job) {
-        waiting_[digest].push_back(std::move(partial));  // another worker is doing the same mesh
-        return false;
-      }
+  void read(std::size_t job, const Json& about) override { partial_[job] = row_of(job, about); }
+
+  bool is_wanted(std::size_t job, const Json& about) override {
+    PartialRow partial = row_of(job, about);
+    const std::string& digest = partial.row.digest;
+    if (const auto same = store_.find_digest(digest)) {
+      partial.row.result = same->result;
+      ++summary_.copied;
+      put(partial, RowStatus::kDone, {});
+      is_over_[job] = true;
+      return false;
     }
+    const std::uint64_t first = claims_->owner(digest);
+    if (first < is_over_.size() && !is_over_[first]) {
+      waiting_[first].push_back({job, std::move(partial)});  // another worker is doing the same mesh
+      return false;
+    }
+    claims_->give(digest, job);  // it was tried without success
     partial_[job] = std::move(partial);
     return true;
   }
@@ -67,17 +74,25 @@ class StoreFiller final : public JobHandler {
     if (!answer.result.is_null()) row.result = to_text(answer.result);
     row.seconds = answer.seconds;
     put(partial, answer.status, answer.error);
-    if (!options_.share || row.digest.empty()) return;
-    in_work_.erase(row.digest);
-    if (const auto same = waiting_.extract(row.digest))
-      for (PartialRow& copy : same.mapped()) {
+    is_over_[job] = true;
+    if (const auto same = waiting_.extract(job))
+      for (auto& [copied_job, copy] : same.mapped()) {
         copy.row.result = row.result;
         summary_.copied += answer.status == RowStatus::kDone;
         put(copy, answer.status, answer.error);
+        is_over_[copied_job] = true;
       }
   }
 
  private:
+  PartialRow row_of(std::size_t job, const Json& about) const {
+    PartialRow partial = begin_row(job);
+    partial.row.digest = about["digest"];
+    partial.row.report = to_text(about["report"]);
+    partial.left_out = about["left_out"];
+    return partial;
+  }
+
   PartialRow begin_row(std::size_t job) const {
     PartialRow partial;
     partial.row.name = jobs_[job].name;
@@ -100,9 +115,11 @@ class StoreFiller final : public JobHandler {
   const std::span<const NamedSource> jobs_;
   Store& store_;
   const CorpusOptions& options_;
-  std::map<std::size_t, PartialRow> partial_;               ///< of the jobs in work that have been read
-  std::map<std::string, std::size_t> in_work_;              ///< jobs by the digests of their meshes
-  std::map<std::string, std::vector<PartialRow>> waiting_;  ///< meshes equal to one in work, by digest
+  std::optional<Claims> claims_;
+  std::vector<bool> is_over_;                  ///< by job
+  std::map<std::size_t, PartialRow> partial_;  ///< of the jobs in work that have been read
+  /// Jobs with the mesh of a job in work, by that job.
+  std::map<std::size_t, std::vector<std::pair<std::size_t, PartialRow>>> waiting_;
   CorpusSummary summary_;
 };
 
@@ -134,7 +151,7 @@ CorpusSummary run_corpus(std::span<const NamedSource> meshes, const Shard& shard
   std::vector<NamedSource> to_do;
   for (const std::size_t i : left) to_do.push_back(own[i]);
   StoreFiller filler(to_do, store, options);
-  run_jobs(to_do, task, options, options.share, filler, control);
+  run_jobs(to_do, task, options, filler.claims(), filler, control);
   CorpusSummary summary = filler.summary();
   summary.before = elsewhere + own.size() - left.size();
   store.end_run();

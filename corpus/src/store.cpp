@@ -222,6 +222,13 @@ void Store::put(const Row& row) {
   s.bind(14, unless_empty(row.version)).bind(15, row.finished).bind(16, row.seconds).run();
 }
 
+std::vector<std::string> Store::digests() {
+  Statement all(implementation_->database, "SELECT digest FROM meshes WHERE status = 3");
+  std::vector<std::string> digests;
+  while (all.step()) digests.emplace_back(all.text(0));
+  return digests;
+}
+
 std::optional<Row> Store::find_digest(std::string_view digest) {
   if (!implementation_->find_digest)
     implementation_->find_digest.emplace(

@@ -9,6 +9,7 @@
 #include <new>
 
 #include "channel.h"
+#include "rectilin/corpus/claims.h"
 #include "rectilin/measure/verify.h"
 #include "rectilin/mesh/mesh_report.h"
 #include "rectilin/mesh/source.h"
@@ -40,7 +41,8 @@ void limit_memory(std::uint64_t bytes) {
 
 class Worker {
  public:
-  Worker(Channel& channel, Work work, bool ask) : channel_(channel), work_(std::move(work)), ask_(ask) {}
+  Worker(Channel& channel, Work work, std::optional<Claims> claims)
+      : channel_(channel), work_(std::move(work)), claims_(std::move(claims)) {}
 
   void run() {
     for (;;) {
@@ -54,40 +56,43 @@ class Worker {
       }
       const Waiting next = std::move(waiting_.front());
       waiting_.pop_front();
-      if (!(next.cancelled ? channel_.send(Kind::kSkipped, "") : do_mesh(next.mesh))) return;
+      if (!(next.cancelled ? channel_.send(Kind::kSkipped, "") : do_mesh(next.job))) return;
     }
   }
 
  private:
   struct Waiting {
-    NamedSource mesh;
+    MeshJob job;
     bool cancelled = false;
   };
 
   /// Keeps a mesh that comes while another is in work; returns false for a message that is about the one in work.
   bool put_aside(const Message& message) {
-    if (message.kind == Kind::kMesh) waiting_.push_back({mesh_in(message.content)});
+    if (message.kind == Kind::kMesh) waiting_.push_back({job_in(message.content)});
     // If no mesh waits, the one that is not wanted any more was begun.
     else if (message.kind == Kind::kCancel && !waiting_.empty()) waiting_.back().cancelled = true;
     return message.kind == Kind::kMesh || message.kind == Kind::kCancel;
   }
 
   /// Does one mesh; returns false if the worker should end.
-  bool do_mesh(const NamedSource& job) {
+  bool do_mesh(const MeshJob& job) {
     std::string error;
     memory_ran_out = false;
     try {
-      read(job.source);
+      read(job.mesh.source);
       Json about = {{"digest", digest_}, {"report", to_json(loaded_.report)}, {"left_out", summary(loaded_.report)}};
-      if (ask_) {
-        if (!channel_.send(Kind::kRead, to_text(about))) return false;
-        auto answer = channel_.receive();
-        while (answer && put_aside(*answer)) answer = channel_.receive();
-        if (!answer) return false;
-        if (answer->kind == Kind::kKnown) return true;
+      if (claims_) {
+        const bool is_new = claims_->claim(digest_, job.number);
+        if (!channel_.send(is_new ? Kind::kRead : Kind::kAsk, to_text(about))) return false;
+        if (!is_new) {
+          auto answer = channel_.receive();
+          while (answer && put_aside(*answer)) answer = channel_.receive();
+          if (!answer) return false;
+          if (answer->kind == Kind::kKnown) return true;
+        }
         about = nullptr;
       }
-      const WorkResult done = work_(job, loaded_);
+      const WorkResult done = work_(job.mesh, loaded_);
       std::string answer =
           to_text(Json{{"result", done.result}, {"time_over", done.time_over}, {"read", std::move(about)}});
       if (!done.bytes.empty()) answer.append(1, '\0').append(done.bytes);
@@ -116,7 +121,7 @@ class Worker {
 
   Channel& channel_;
   const Work work_;
-  const bool ask_;
+  std::optional<Claims> claims_;
   std::deque<Waiting> waiting_;
   std::string source_, digest_;  ///< of the mesh that was read last
   LoadedMesh loaded_;
@@ -130,7 +135,8 @@ int run_worker(int socket, const MakeWork& make_work) {
   if (!setup || setup->kind != Kind::kSetup) return 2;
   const Json json = Json::parse(setup->content);
   const auto seconds = json["seconds"].is_null() ? std::nullopt : std::optional(json["seconds"].get<double>());
-  Worker worker(channel, make_work({json["task"], json["settings"]}, seconds), json["ask"]);
+  Worker worker(channel, make_work({json["task"], json["settings"]}, seconds),
+                json["share"] == true ? std::optional(Claims::open(socket + 1)) : std::nullopt);
   if (!json["memory"].is_null()) limit_memory(json["memory"]);
   worker.run();
   return 0;

@@ -20,9 +20,9 @@ double patience(double seconds) { return 1 + 1.1 * seconds; }
 
 class WorkerPool {
  public:
-  WorkerPool(std::span<const NamedSource> jobs, const Task& task, const WorkerOptions& options, bool ask,
+  WorkerPool(std::span<const NamedSource> jobs, const Task& task, const WorkerOptions& options, const Claims* claims,
              JobHandler& handler, const LoopControl& control)
-      : jobs_(jobs), task_(task), options_(options), ask_(ask), handler_(handler), control_(control) {}
+      : jobs_(jobs), task_(task), options_(options), claims_(claims), handler_(handler), control_(control) {}
 
   void run() {
     workers_.resize(std::min(jobs_.size(), static_cast<std::size_t>(std::max(1, options_.workers))));
@@ -57,18 +57,19 @@ class WorkerPool {
     worker.jobs.push_back(job);
     if (worker.jobs.size() == 1) worker.started = Clock::now();
     if (!worker.process) {
-      worker.process = std::make_unique<WorkerProcess>(options_.worker_command);
+      worker.process = std::make_unique<WorkerProcess>(options_.worker_command, claims_ ? claims_->file() : -1);
       ++worker.processes;
       worker.heard = false;
       const Json setup = {{"task", task_.name},
                           {"settings", task_.settings},
                           {"seconds", options_.seconds ? Json(*options_.seconds) : Json(nullptr)},
                           {"memory", options_.memory ? Json(*options_.memory) : Json(nullptr)},
-                          {"ask", ask_}};
+                          {"share", claims_ != nullptr}};
       worker.process->channel().send(Kind::kSetup, to_text(setup));
     }
     const NamedSource& mesh = jobs_[job.index];
-    worker.process->channel().send(Kind::kMesh, mesh_message(mesh));  // if the worker is gone, wait() will notice
+    // If the worker is gone, wait() will notice.
+    worker.process->channel().send(Kind::kMesh, job_message(job.index, mesh));
     if (control_.on_progress) control_.on_progress(over_, jobs_.size(), mesh.name);
   }
 
@@ -123,7 +124,10 @@ class WorkerPool {
     const Job job = worker.jobs.front();
     switch (message.kind) {
       case Kind::kRead:
-        if (!job.cancelled && handler_.read(job.index, Json::parse(message.content))) {
+        if (!job.cancelled) handler_.read(job.index, Json::parse(message.content));
+        return;
+      case Kind::kAsk:
+        if (!job.cancelled && handler_.is_wanted(job.index, Json::parse(message.content))) {
           worker.process->channel().send(Kind::kGoOn, "");
         } else {
           worker.process->channel().send(Kind::kKnown, "");
@@ -133,7 +137,7 @@ class WorkerPool {
       case Kind::kResult: {
         const std::size_t text = message.content.find('\0');
         Json json = Json::parse(message.content.substr(0, text));
-        if (!ask_ && !job.cancelled) handler_.read(job.index, json["read"]);
+        if (!claims_ && !job.cancelled) handler_.read(job.index, json["read"]);
         const bool over = json["time_over"] == true;
         return finish(worker, {over ? RowStatus::kLimited : RowStatus::kDone, std::move(json["result"]),
                                text == std::string::npos ? std::string() : message.content.substr(text + 1),
@@ -208,7 +212,7 @@ class WorkerPool {
   const std::span<const NamedSource> jobs_;
   const Task& task_;
   const WorkerOptions& options_;
-  const bool ask_;
+  const Claims* const claims_;
   JobHandler& handler_;
   const LoopControl& control_;
   std::vector<Worker> workers_;
@@ -217,9 +221,9 @@ class WorkerPool {
 
 }  // namespace
 
-void run_jobs(std::span<const NamedSource> jobs, const Task& task, const WorkerOptions& options, bool ask,
+void run_jobs(std::span<const NamedSource> jobs, const Task& task, const WorkerOptions& options, const Claims* claims,
               JobHandler& handler, const LoopControl& control) {
-  WorkerPool(jobs, task, options, ask, handler, control).run();
+  WorkerPool(jobs, task, options, claims, handler, control).run();
 }
 
 }  // namespace rectilin::corpus

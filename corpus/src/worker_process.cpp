@@ -15,10 +15,10 @@
 namespace rectilin::corpus {
 namespace {
 
-constexpr int kWorkerSocket = 3;
+constexpr int kWorkerSocket = 3, kWorkerShared = 4;
 
 /// Runs in the child after fork(), where nothing may allocate memory.
-[[noreturn]] void become_worker(char* const* arguments, int socket, pid_t parent) {
+[[noreturn]] void become_worker(char* const* arguments, int socket, int shared, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(127);  // the parent ended before its end could be watched
   const rlimit no_core{0, 0};
@@ -27,15 +27,18 @@ constexpr int kWorkerSocket = 3;
   const int nothing = open("/dev/null", O_RDWR);
   // Libraries may print complaints about broken files; users should not see them.
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(nothing, stream);
-  if (socket == kWorkerSocket) fcntl(socket, F_SETFD, 0);
-  else dup2(socket, kWorkerSocket);
+  // First out of the way of each other's new numbers.
+  const int far_socket = fcntl(socket, F_DUPFD_CLOEXEC, kWorkerShared + 1);
+  const int far_shared = shared < 0 ? -1 : fcntl(shared, F_DUPFD_CLOEXEC, kWorkerShared + 1);
+  dup2(far_socket, kWorkerSocket);
+  if (shared >= 0) dup2(far_shared, kWorkerShared);
   execv(arguments[0], arguments);
   _exit(127);
 }
 
 }  // namespace
 
-WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
+WorkerProcess::WorkerProcess(const std::vector<std::string>& command, int shared) {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
     throw std::runtime_error(std::string("cannot make a socket for a worker: ") + std::strerror(errno));
@@ -45,7 +48,7 @@ WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
   arguments.push_back(nullptr);
   const pid_t parent = getpid();
   process_ = fork();
-  if (process_ == 0) become_worker(arguments.data(), ends[1], parent);
+  if (process_ == 0) become_worker(arguments.data(), ends[1], shared, parent);
   close(ends[1]);
   if (process_ < 0) throw std::runtime_error(std::string("cannot start a worker process: ") + std::strerror(errno));
 }

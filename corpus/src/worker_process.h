@@ -11,12 +11,13 @@
 
 namespace rectilin::corpus {
 
-/// Runs a command as a child process; its file descriptor 3 is the other end of `channel`. The child ends when this
-/// program ends, however that happens, and is killed when this object is destroyed.
+/// Runs a command as a child process; its file descriptor 3 is the other end of `channel`, and 4 is `shared` unless
+/// that is negative. The child ends when this program ends, however that happens, and is killed when this object is
+/// destroyed.
 class WorkerProcess {
  public:
   /// Throws std::runtime_error if it cannot be started.
-  explicit WorkerProcess(const std::vector<std::string>& command);
+  explicit WorkerProcess(const std::vector<std::string>& command, int shared = -1);
   ~WorkerProcess();
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;

@@ -164,7 +164,7 @@ class IndexUpdate final : public corpus::JobHandler {
     }
     if (options_.workers) {
       const corpus::Task task{kIndexTask, {{"descriptor", database_.descriptor()}}};
-      corpus::run_jobs(to_do, task, *options_.workers, false, *this, control);
+      corpus::run_jobs(to_do, task, *options_.workers, nullptr, *this, control);
     } else {
       std::vector<std::string> sources;
       for (const NamedSource& source : to_do) sources.push_back(source.source);
@@ -174,8 +174,6 @@ class IndexUpdate final : public corpus::JobHandler {
     }
     summary_.complete = finished_ == jobs_.size();
   }
-
-  bool read(std::size_t, const Json&) override { return true; }
 
   void finish(std::size_t i, corpus::Answer&& answer) override {
     const std::size_t k = index_of_[i];

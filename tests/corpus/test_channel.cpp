@@ -13,9 +13,9 @@ TEST_CASE("a mesh is sent byte for byte", "[corpus]") {
   const std::string odd("a b\0\n\xff 7", 8);
   for (const NamedSource& mesh : {NamedSource{"name", "source", "class"}, NamedSource{"", "", ""},
                                   NamedSource{odd, odd + odd, ""}, NamedSource{"12 3 x", "4 5 y", odd}})
-    CHECK(mesh_in(mesh_message(mesh)) == mesh);
-  mesh_in("");  // what is no such message is no reason to read outside of it
-  mesh_in("999 999 x");
+    CHECK(job_in(job_message(7, mesh)) == MeshJob{7, mesh});
+  job_in("");  // what is no such message is no reason to read outside of it
+  job_in("999 999 999 x");
 }
 
 TEST_CASE("messages come in their order, whole, and none after the end", "[corpus]") {

@@ -84,6 +84,8 @@ class Store {
   /// Replaces the row of that name. Once it returns, the row survives the end of the program.
   void put(const Row& row);
 
+  /// Of the meshes that are done.
+  std::vector<std::string> digests();
   /// The row of a finished mesh with this digest, if there is one.
   std::optional<Row> find_digest(std::string_view digest);
   std::optional<Row> find(std::string_view name);

@@ -25,8 +25,9 @@ using Work = std::function<WorkResult(const NamedSource& job, const LoadedMesh& 
 /// that a search may take, if it is limited.
 using MakeWork = std::function<Work(const Task& task, std::optional<double> seconds)>;
 
-/// The main loop of a worker: takes meshes from `socket`, on which run_jobs() sends them, until there are no more. It
-/// limits the memory of its own process as run_jobs() demands. Returns the exit status.
+/// The main loop of a worker: takes meshes from `socket`, on which run_jobs() sends them, until there are no more. The
+/// next file descriptor is that of the claims, if workers share any. It limits the memory of its own process as
+/// run_jobs() demands. Returns the exit status.
 int run_worker(int socket, const MakeWork& make_work);
 
 }  // namespace rectilin::corpus

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rectilin/base/batch.h"
+#include "rectilin/corpus/claims.h"
 #include "rectilin/corpus/store.h"
 #include "rectilin/mesh/source.h"
 
@@ -36,19 +37,21 @@ struct Answer {
 class JobHandler {
  public:
   virtual ~JobHandler() = default;
-  /// A worker has read the mesh of a job: JSON {digest, report, left_out}. Returns whether the work is wanted; if not,
-  /// the job is over without an answer. Only if workers ask, the answer counts; otherwise this comes right before
-  /// finish().
-  virtual bool read(std::size_t job, const Json& about) = 0;
+  /// A worker has read the mesh of a job: JSON {digest, report, left_out}. If workers share no claims, this comes right
+  /// before finish().
+  virtual void read(std::size_t /*job*/, const Json& /*about*/) {}
+  /// The same, of a mesh that another job has claimed, or that was done before: is the work wanted? If not, the job is
+  /// over without an answer.
+  virtual bool is_wanted(std::size_t /*job*/, const Json& /*about*/) { return true; }
   virtual void finish(std::size_t job, Answer&& answer) = 0;
 };
 
 /// Does jobs in worker processes and tells the handler, one call at a time, in the order in which they end. A job whose
 /// worker hangs, crashes or takes too much memory is limited, and the worker is replaced. The search in a job may take
-/// `seconds`; a worker that is silent for 1.1 times that and one second more is killed. With `ask`, workers wait after
-/// they have read a mesh until the handler says whether to go on. After a stop the jobs in work are not finished.
-/// Throws std::runtime_error if workers do not start, and what the handler throws.
-void run_jobs(std::span<const NamedSource> jobs, const Task& task, const WorkerOptions& options, bool ask,
+/// `seconds`; a worker that is silent for 1.1 times that and one second more is killed. With `claims`, work on a mesh
+/// is done for the job that claims it first; of other jobs with that mesh the handler is asked. After a stop the jobs
+/// in work are not finished. Throws std::runtime_error if workers do not start, and what the handler throws.
+void run_jobs(std::span<const NamedSource> jobs, const Task& task, const WorkerOptions& options, const Claims* claims,
               JobHandler& handler, const LoopControl& control = {});
 
 }  // namespace rectilin::corpus
