@@ -1,6 +1,7 @@
 // Meshes in known positions, for tests of poses.
 #pragma once
 
+#include <numbers>
 #include <string>
 
 #include "rectilin/base/rotation.h"
@@ -9,6 +10,8 @@
 #include "support/random_meshes.h"
 
 namespace rectilin::test {
+
+inline constexpr double kDegree = std::numbers::pi / 180;
 
 inline Mesh shape(const std::string& spec) { return make_shape(Spec::parse(spec)); }
 

@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
-#include <numbers>
 
 #include "pose_support.h"
 #include "rectilin/measure/projected_area.h"
@@ -25,8 +24,6 @@ std::vector<std::string> names() {
   for (const auto& entry : pose::pose_methods().entries()) names.push_back(entry.name);
   return names;
 }
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 }  // namespace
 
