@@ -74,6 +74,10 @@ expect 0 '^gsmd' "$rectilin" evaluate meshes -c all.cla -d 'gsmd?views=258&size=
 expect 0 '^d2' "$rectilin" evaluate meshes -c all.cla -d d2 --out full
 cmp -s full/matrices/d2.matrix first/matrices/d2.matrix || fail "the same distances after a full disk"
 
+# Another collection's classes.
+mkdir other; cp meshes/m0.off other/else.off
+expect 1 'other: holds none of the models of all.cla' "$rectilin" evaluate other -c all.cla -d r --out nothing
+
 # Matrices of others, of all ten models or of the nine.
 head -c 400 /dev/zero >ten.matrix
 expect 0 '^ten ' run --matrix ten.matrix --matrix again=first/matrices/d2.matrix

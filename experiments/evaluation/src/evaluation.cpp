@@ -116,6 +116,8 @@ class Run {
     features.complete = true;
     if (plan_.folder) {
       const retrieval::Collection collection = retrieval::find_collection(*plan_.folder, whole_);
+      if (collection.missing.size() == whole_.models.size())
+        throw std::runtime_error(plan_.folder->string() + ": holds none of the models of " + plan_.classes.string());
       evaluation_.missing = collection.missing;
       features = describe(collection);
       evaluation_.failed = features.failed;

@@ -34,8 +34,9 @@ DistanceMatrix symmetric_matrix(std::size_t size, const std::function<double(std
 /// row, nothing else.
 void write_matrix(const std::filesystem::path& file, const DistanceMatrix& matrix);
 
-/// Throws std::runtime_error, "FILE: reason", if the file has not the bytes of size * size numbers, or "FILE:byte N"
-/// if one is not a number.
+/// Only their order counts, so that negative distances (similarities less) and infinite ones are as good as others.
+/// Throws std::runtime_error, "FILE: reason", if the file has not the bytes of size * size numbers, or "FILE:byte N" if
+/// one is not a number.
 DistanceMatrix read_matrix(const std::filesystem::path& file, std::size_t size);
 
 }  // namespace rectilin::retrieval
