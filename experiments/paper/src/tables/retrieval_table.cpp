@@ -157,7 +157,7 @@ ScoredTable score(const std::vector<Row>& rows, const TableSettings& settings, c
     ScoredRow& scored = table.rows.emplace_back(ScoredRow{row, {}, {}, 0, 0, 0});
     if (row.descriptor.empty()) continue;
     if (context.stop.stop_requested()) throw Stopped();
-    const std::string text = with_size(row.descriptor, settings.size);
+    const std::string text = scored.row.descriptor = with_size(row.descriptor, settings.size);
     const retrieval::DescriptorPointer descriptor = retrieval::make_descriptor(text);
     scored.bytes = descriptor->bytes();
     std::vector<retrieval::Signature> signatures(classes.models.size());
