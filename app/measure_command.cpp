@@ -9,6 +9,7 @@
 #include "corpus_run.h"
 #include "measure_printer.h"
 #include "options.h"
+#include "rectilin/base/printable.h"
 #include "rectilin/base/whole_file.h"
 #include "rectilin/measure/verify.h"
 #include "rectilin/mesh/normals.h"
@@ -153,7 +154,9 @@ int run(const MeasureCommand& command) {
   Progress progress(sources.size());
   const auto measure_one = [&](std::size_t i) {
     rectilin::MeasureOptions own = options;
-    own.run.on_progress = [&, i](const Evaluator& run) { progress.note(sources[i] + ": " + state_of(run)); };
+    own.run.on_progress = [&, i](const Evaluator& run) {
+      progress.note(shortened(sources[i], 30) + ": " + state_of(run));
+    };
     return command.normals ? measure_normals(sources[i], own) : measure_mesh(sources[i], own);
   };
   const auto print = [&](std::size_t i, Outcome<MeasuredMesh>&& row) {

@@ -30,6 +30,14 @@ for wrong in '--threads 0' '--threads 2000000000' '--gap -1' '--gap nan' '--seco
 done
 expect 0 '"evaluations":10000' "$rectilin" measure --json -o 'ga?generations=0' shape:box
 
+# Progress within a mesh, on a terminal only, and gone at the end.
+hard=(measure --seconds 3 'shape:sphere?kind=even&faces=100000')
+expect 0 '^shape:sphere' "$rectilin" "${hard[@]}"
+[ -s err ] && fail 'progress without a terminal'
+script -qec "$(printf '%q ' "$rectilin" "${hard[@]}")" terminal >/dev/null </dev/null || fail 'measure on a terminal'
+grep -qE '\[0/1\] [^[]* evaluations, [0-9]+ boxes bounded, R >= [0-9.]+, gap ' terminal || fail 'no progress on a terminal'
+tail -n 2 terminal | grep -q $'\r\e\[K$' || fail 'progress is left on the terminal'
+
 # A bad file costs its own row.
 "$rectilin" convert shape:pyramid good.off || fail 'the command itself'
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n' >bad.off
