@@ -76,10 +76,10 @@ AlignedShape::AlignedShape(const retrieval::Model& model) {
   };
   std::ranges::sort(vertices_, before);
   vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
-  tree_ = SurfaceTree(std::move(triangles));
+  tree_ = SurfaceTree(triangles);
   std::vector<SurfaceTree::Corners> points;
   for (const Vector3& v : vertices_) points.push_back({v, v, v});
-  vertex_tree_ = SurfaceTree(std::move(points));
+  vertex_tree_ = SurfaceTree(points);
 }
 
 namespace {
@@ -129,11 +129,13 @@ class Step {
 };
 
 void refine(const AlignedShape& first, const AlignedShape& second, Fit& fit) {
+  std::vector<std::uint32_t> last(second.samples().size(), SurfaceTree::kNoGuess);  // triangles that were nearest
   for (int round = 0; round < kRounds; ++round) {
     Step step;
     for (std::size_t i = 0; i < second.samples().size(); i += kFine) {
       const Vector3 p = fit.linear * second.samples()[i] + fit.shift;
-      const SurfaceTree::Foot foot = first.tree().nearest(p, kOutOfReach / 2);
+      const SurfaceTree::Foot foot = first.tree().nearest(p, kOutOfReach / 2, last[i]);
+      last[i] = foot.triangle;
       if (std::isfinite(foot.distance)) step.add(first.tree(), p, foot, 1);
     }
     if (step.apply(fit) < kStill) return;
@@ -213,12 +215,14 @@ Placement placement(const AlignedShape& first, const AlignedShape& second, const
 VertexFit vertex_fit(const AlignedShape& fine, const AlignedShape& coarse, Fit fit) {
   const std::size_t every = (coarse.vertices().size() + kFineVertices - 1) / kFineVertices;
   double scale = std::max(0.01, fit.distance);
+  std::vector<std::uint32_t> last(coarse.vertices().size(), SurfaceTree::kNoGuess);  // triangles that were nearest
   for (int round = 0; round < 30; ++round) {
     Step step;
     std::vector<double> distances;
     for (std::size_t i = 0; i < coarse.vertices().size(); i += every) {
       const Vector3 p = fit.linear * coarse.vertices()[i] + fit.shift;
-      const SurfaceTree::Foot foot = fine.tree().nearest(p, kOutOfReach);
+      const SurfaceTree::Foot foot = fine.tree().nearest(p, kOutOfReach, last[i]);
+      last[i] = foot.triangle;
       distances.push_back(std::min(foot.distance, kOutOfReach));
       if (!std::isfinite(foot.distance)) continue;
       const double ratio = foot.distance / scale;

@@ -38,18 +38,21 @@ Vector3 nearest_of_triangle(const Vector3& p, const SurfaceTree::Corners& t) {
   return sum > 0 ? Vector3(t[0] + vb / sum * ab + vc / sum * ac) : t[0];
 }
 
-SurfaceTree::SurfaceTree(std::vector<Corners> triangles) : triangles_(std::move(triangles)) {
-  order_.resize(triangles_.size());
-  std::iota(order_.begin(), order_.end(), 0U);
-  nodes_.reserve(triangles_.size());
-  if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
+SurfaceTree::SurfaceTree(const std::vector<Corners>& triangles) {
+  std::vector<std::uint32_t> order(triangles.size());
+  std::iota(order.begin(), order.end(), 0U);
+  nodes_.reserve(triangles.size());
+  if (!order.empty()) build(triangles, order, 0, static_cast<std::uint32_t>(order.size()));
+  triangles_.reserve(order.size());
+  for (const std::uint32_t t : order) triangles_.push_back(triangles[t]);
 }
 
-std::uint32_t SurfaceTree::build(std::uint32_t begin, std::uint32_t end) {
+std::uint32_t SurfaceTree::build(const std::vector<Corners>& triangles, std::vector<std::uint32_t>& order,
+                                 std::uint32_t begin, std::uint32_t end) {
   const auto own = static_cast<std::uint32_t>(nodes_.size());
-  Node node{triangles_[order_[begin]][0], triangles_[order_[begin]][0], begin, end};
+  Node node{triangles[order[begin]][0], triangles[order[begin]][0], begin, end};
   for (std::uint32_t i = begin; i < end; ++i)
-    for (const Vector3& corner : triangles_[order_[i]]) {
+    for (const Vector3& corner : triangles[order[i]]) {
       node.low = node.low.cwiseMin(corner);
       node.high = node.high.cwiseMax(corner);
     }
@@ -58,22 +61,30 @@ std::uint32_t SurfaceTree::build(std::uint32_t begin, std::uint32_t end) {
   int axis = 0;
   (node.high - node.low).maxCoeff(&axis);
   const auto middle_of = [&](std::uint32_t t) {
-    return triangles_[t][0](axis) + triangles_[t][1](axis) + triangles_[t][2](axis);
+    return triangles[t][0](axis) + triangles[t][1](axis) + triangles[t][2](axis);
   };
   const std::uint32_t half = begin + (end - begin) / 2;
   std::nth_element(
-      order_.begin() + begin, order_.begin() + half, order_.begin() + end,
+      order.begin() + begin, order.begin() + half, order.begin() + end,
       [&](std::uint32_t a, std::uint32_t b) { return std::pair(middle_of(a), a) < std::pair(middle_of(b), b); });
-  build(begin, half);
-  const std::uint32_t far = build(half, end);
+  build(triangles, order, begin, half);
+  const std::uint32_t far = build(triangles, order, half, end);
   nodes_[own].far = far;
   return own;
 }
 
-SurfaceTree::Foot SurfaceTree::nearest(const Vector3& p, double within) const {
+SurfaceTree::Foot SurfaceTree::nearest(const Vector3& p, double within, std::uint32_t guess) const {
   Foot foot{p};
   if (nodes_.empty()) return foot;
   double limit = within * within;
+  const auto look_at = [&](std::uint32_t triangle) {
+    const Vector3 q = nearest_of_triangle(p, triangles_[triangle]);
+    const double d = (q - p).squaredNorm();
+    if (!(d < limit)) return;
+    limit = d;
+    foot = {q, 0, triangle};
+  };
+  if (guess < triangles_.size()) look_at(guess);
   std::array<std::pair<double, std::uint32_t>, 64> open;  // a median divides: the depth is at most 32
   std::size_t count = 0;
   open[count++] = {squared_distance(p, nodes_[0].low, nodes_[0].high), 0};
@@ -82,13 +93,7 @@ SurfaceTree::Foot SurfaceTree::nearest(const Vector3& p, double within) const {
     if (!(distance < limit)) continue;
     const Node& node = nodes_[at];
     if (node.far == 0) {
-      for (std::uint32_t i = node.begin; i < node.end; ++i) {
-        const Vector3 q = nearest_of_triangle(p, triangles_[order_[i]]);
-        const double d = (q - p).squaredNorm();
-        if (!(d < limit)) continue;
-        limit = d;
-        foot = {q, 0, order_[i]};
-      }
+      for (std::uint32_t i = node.begin; i < node.end; ++i) look_at(i);
       continue;
     }
     const double near = squared_distance(p, nodes_[at + 1].low, nodes_[at + 1].high);
