@@ -25,7 +25,7 @@ CREATE TABLE signatures(
 CREATE TABLE facts(key TEXT PRIMARY KEY NOT NULL, value TEXT NOT NULL) WITHOUT ROWID;
 )";
 
-constexpr corpus::FileKind kSearchFile = {0x7265736, 1, kSearchTables, "a database of shapes"};
+constexpr corpus::FileKind kSearchFile = {0x7265736, 2, kSearchTables, "a database of shapes"};
 
 constexpr const char* kColumns = "id, name, source, digest, status, faces, rectilinearity, size, error, seconds";
 
