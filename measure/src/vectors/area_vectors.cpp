@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "rectilin/base/ceil_div.h"
+#include "rectilin/measure/direction_tree.h"
 #include "vectors/hilbert_order.h"
 #include "vectors/kd_order.h"
 
@@ -104,7 +105,7 @@ AreaVectors area_vectors(std::vector<Vector3> vectors) {
     total += sum.length();
   }
   result.total = static_cast<double>(total);
-  arrange_runs(result);
+  if (DirectionTree::worthwhile(result.size())) arrange_runs(result);  // the flat sum needs no order
   return result;
 }
 

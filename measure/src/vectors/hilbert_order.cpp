@@ -81,8 +81,11 @@ void radix_sort_by_high_half(std::vector<std::uint64_t>& items) {
   }
 }
 
-bool lexicographically_less(const Vector3& a, const Vector3& b) {
-  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+/// By direction, equal ones by index.
+bool lexicographically_less(const std::pair<Vector3, std::uint32_t>& a, const std::pair<Vector3, std::uint32_t>& b) {
+  for (int i = 0; i < 3; ++i)
+    if (a.first[i] != b.first[i]) return a.first[i] < b.first[i];
+  return a.second < b.second;
 }
 
 }  // namespace
@@ -104,12 +107,15 @@ std::vector<std::uint32_t> order_by_direction(std::vector<Vector3>& vectors) {
   std::vector<std::uint32_t> order(items.size());
   std::ranges::transform(items, order.begin(), [](std::uint64_t item) { return static_cast<std::uint32_t>(item); });
   const auto cell = [&](std::size_t place) { return items[place] >> 32; };
+  std::vector<std::pair<Vector3, std::uint32_t>> exact;  // unit vectors and indices of one cell
   for (std::size_t begin = 0, end; begin < order.size(); begin = end) {
     for (end = begin + 1; end < order.size() && cell(end) == cell(begin);) ++end;
-    if (end - begin > 1)
-      std::stable_sort(order.begin() + begin, order.begin() + end, [&](std::uint32_t a, std::uint32_t b) {
-        return lexicographically_less(vectors[a].normalized(), vectors[b].normalized());
-      });
+    if (end - begin == 1) continue;
+    exact.clear();
+    for (std::size_t place = begin; place < end; ++place)
+      exact.emplace_back(vectors[order[place]].normalized(), order[place]);
+    std::ranges::sort(exact, lexicographically_less);
+    for (std::size_t place = begin; place < end; ++place) order[place] = exact[place - begin].second;
   }
   return order;
 }
