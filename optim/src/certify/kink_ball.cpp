@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "certify/generator_kernels.h"
 #include "rectilin/base/symmetric.h"
 
 namespace rectilin::certification {
@@ -37,17 +38,19 @@ using Extended = Eigen::Matrix<long double, 3, 1>;
 
 /// Divides the generators at a frame, in one pass, into those whose sign is fixed and those that may be free.
 struct Split {
-  std::array<Extended, 3> settled = {Extended::Zero(), Extended::Zero(), Extended::Zero()};
+  std::array<Extended, 3> settled;
   std::vector<FreeGenerator> free;  // nearest to orthogonal first
   double total = 0;
 
   Split(const Generators& generators, const Rotation& frame) {
     constexpr double kWidest = std::end(kBallTolerances)[-1];
     const Eigen::Matrix3d& r = frame.matrix();
-    for (std::size_t i = 0; i < generators.size(); ++i) {
+    const FrameSplit split = split_at(r, generators, kWidest);
+    settled = split.others;
+    total = split.total;
+    for (const std::size_t i : split.near) {
       const Eigen::Vector3d v = generators[i], products = r * v;
       const double length = v.norm();
-      total += length;
       for (int k = 0; k < 3; ++k) {
         const Eigen::Vector3d turned = products[k] < 0 ? Eigen::Vector3d(-v) : v;
         const double product = std::abs(products[k]);

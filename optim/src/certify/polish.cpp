@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "certify/descent.h"
+#include "certify/generator_kernels.h"
 
 namespace rectilin::certification {
 namespace {
@@ -41,7 +42,7 @@ class Neighbourhood {
   void move_to(const Rotation& frame) {
     centre_ = frame;
     near_.clear();
-    for (std::size_t i = 0; i < generators_.size(); ++i) {
+    for (const std::size_t i : split_at(frame.matrix(), generators_, 1.001 * kReach).near) {
       const Eigen::Vector3d v = generators_[i], products = frame.matrix() * v;
       const double length = v.norm();
       for (int k = 0; k < 3; ++k)
