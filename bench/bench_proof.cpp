@@ -1,8 +1,10 @@
 // What a proof of the optimum costs in units of the paper's guess: certify, to a gap of 1e-6, over its genetic
 // algorithm, 10,000 evaluations on the fastest flat sum. Both on one thread, in turns, on the same meshes.
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 
 #include "bench.h"
 #include "rectilin/measure/projected_area.h"
@@ -38,11 +40,28 @@ void proof_and_guess(benchmark::State& state, const std::vector<std::string>& me
   state.counters["cuts"] = cuts;
 }
 
+/// Seconds of processor time that a group of files took, step by step.
+struct Steps {
+  std::string name;
+  std::size_t most;  // faces
+  double reading = 0, merging = 0, proving = 0, slowest = 0;
+
+  void count(const std::string& prefix, benchmark::UserCounters& counters) const {
+    counters[prefix + "reading_seconds"] = reading;
+    counters[prefix + "merging_seconds"] = merging;
+    counters[prefix + "proving_seconds"] = proving;
+    counters[prefix + "slowest_seconds"] = slowest;
+    counters[prefix + "proof_over_reading"] = (merging + proving) / reading;
+  }
+};
+
 /// From files to proofs, step by step, in processor time of the one thread that does it all.
 void files_to_proofs(benchmark::State& state, const std::vector<std::string>& files) {
   const auto limit = threads(1);
   const auto certify = builtin_optimizers().make("certify");
-  double reading = 0, merging = 0, proving = 0, bytes = 0;
+  constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
+  std::array<Steps, 4> groups = {{{"small_", 999}, {"medium_", 10'000}, {"large_", kAny}, {"", kAny}}};
+  double bytes = 0;
   for (auto _ : state) {
     for (const std::string& file : files) {
       const double start = thread_seconds();
@@ -52,17 +71,20 @@ void files_to_proofs(benchmark::State& state, const std::vector<std::string>& fi
       const double merged = thread_seconds();
       const ProjectedArea objective(std::move(vectors), file);
       run_optimizer(*certify, objective, {});
-      reading += read - start;
-      merging += merged - read;
-      proving += thread_seconds() - merged;
+      const double proved = thread_seconds();
+      const std::size_t faces = loaded.mesh.triangles.size();
+      Steps& group = *std::ranges::find_if(groups, [faces](const Steps& s) { return faces <= s.most; });
+      for (Steps* steps : {&group, &groups.back()}) {
+        steps->reading += read - start;
+        steps->merging += merged - read;
+        steps->proving += proved - merged;
+        steps->slowest = std::max(steps->slowest, proved - read);
+      }
       bytes += static_cast<double>(std::filesystem::file_size(file));
     }
   }
-  state.counters["reading_seconds"] = reading;
-  state.counters["merging_seconds"] = merging;
-  state.counters["proving_seconds"] = proving;
-  state.counters["proof_over_reading"] = (merging + proving) / reading;
-  state.counters["read_bytes_per_second"] = bytes / reading;
+  for (const Steps& steps : groups) steps.count(steps.name, state.counters);
+  state.counters["read_bytes_per_second"] = bytes / groups.back().reading;
 }
 
 void add(const std::string& name, const std::vector<std::string>& meshes) {
