@@ -11,6 +11,7 @@
 
 #include "rectilin/base/random.h"
 #include "rectilin/base/whole_file.h"
+#include "rectilin/search/diffusion.h"
 
 // The intrinsics are for distances of hnswlib's own, which are not used, and prefetch beyond the end of lists.
 #define NO_MANUAL_VECTORIZATION
@@ -316,6 +317,13 @@ std::vector<Neighbour> ApproximateSearch::nearest(const Parts& query, std::size_
     return best;
   }
   return search.nearest(query, n, keep);
+}
+
+std::vector<Neighbour> find_nearest(const NearestSearch& search, const ApproximateSearch* graph, const Parts& query,
+                                    std::size_t n, const std::function<bool(std::size_t)>& keep, bool by_diffusion) {
+  const std::size_t wanted = by_diffusion ? std::max(n, DiffusionOptions().pool) : n;
+  std::vector<Neighbour> found = graph ? graph->nearest(query, wanted, keep) : search.nearest(query, wanted, keep);
+  return by_diffusion ? diffused_pool(search, std::move(found), n) : found;
 }
 
 std::filesystem::path graph_file(const std::filesystem::path& database) {

@@ -63,6 +63,10 @@ class ApproximateSearch {
   std::unique_ptr<Implementation> implementation_;
 };
 
+/// Answers one search in the way that is asked for: with the graph if there is one, by diffusion if `by_diffusion`.
+std::vector<Neighbour> find_nearest(const NearestSearch& search, const ApproximateSearch* graph, const Parts& query,
+                                    std::size_t n, const std::function<bool(std::size_t)>& keep, bool by_diffusion);
+
 /// Where the graph of a database is kept: beside it, as FILE-graph.
 std::filesystem::path graph_file(const std::filesystem::path& database);
 

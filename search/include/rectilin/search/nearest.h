@@ -81,7 +81,7 @@ class NearestSearch {
   std::string text_;
   std::vector<Term> terms_;
   HugePages<std::uint8_t> rough_;  ///< what bounds need, a row for each member: few places in memory to wait for
-  std::size_t row_ = 0;              ///< its length
+  std::size_t row_ = 0;            ///< its length
   std::size_t size_ = 0;
   bool all_bounded_ = true;  ///< each term is cheap or has coarse signatures
 };
