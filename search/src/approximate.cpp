@@ -290,6 +290,7 @@ GraphFile ApproximateSearch::load(const std::filesystem::path& file) {
 std::vector<Neighbour> ApproximateSearch::nearest(const Parts& query, std::size_t n,
                                                   const std::function<bool(std::size_t)>& keep) const {
   if (!complete()) throw std::logic_error("the graph is not complete");
+  if (n == 0) return {};
   const NearestSearch& search = implementation_->search;
   const Parts rough = search.rough(query);
   const GraphQuery asked{kNobody, &query, &rough};

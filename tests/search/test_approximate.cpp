@@ -11,6 +11,7 @@
 
 using namespace rectilin;
 using namespace rectilin::search;
+using rectilin::test::ScratchFolder;
 
 namespace {
 
