@@ -32,13 +32,13 @@ constexpr std::uint32_t kNobody = 0xffffffff;
 using Graph = hnswlib::HierarchicalNSW<float>;
 
 /// What the walk takes for a member that is none. Members are their numbers, 32 bits.
-struct GraphQuery {
+struct WalkQuery {
   std::uint32_t nobody = kNobody;
   const Parts* parts;
   const Parts* rough;
 };
 
-/// The distance between two nodes' numbers, or a GraphQuery and a number: signatures stay where they are.
+/// The distance between two nodes' numbers, or a WalkQuery and a number: signatures stay where they are.
 class MembersSpace final : public hnswlib::SpaceInterface<float> {
  public:
   explicit MembersSpace(const NearestSearch& search) : search_(search) {}
@@ -53,11 +53,15 @@ class MembersSpace final : public hnswlib::SpaceInterface<float> {
     std::memcpy(&first, a, sizeof first);
     std::memcpy(&second, b, sizeof second);
     if (first != kNobody) return static_cast<float>(search.rough_distance(first, second));
-    const GraphQuery& query = *static_cast<const GraphQuery*>(a);
+    const WalkQuery& query = *static_cast<const WalkQuery*>(a);
     return static_cast<float>(search.rough_distance(*query.parts, *query.rough, second));
   }
   const NearestSearch& search_;
 };
+
+bool nearer_by_walk(const Neighbour& a, const Neighbour& b) {
+  return a.distance < b.distance || (a.distance == b.distance && a.member < b.member);
+}
 
 /// FNV-1a by words of eight bytes; shorter ends are filled with zeros.
 class WordHash {
@@ -287,37 +291,47 @@ GraphFile ApproximateSearch::load(const std::filesystem::path& file) {
   return GraphFile::kDamaged;
 }
 
+std::vector<Neighbour> ApproximateSearch::candidates(const Parts& query, std::size_t width,
+                                                     const std::function<bool(std::size_t)>& keep) const {
+  const Parts rough = implementation_->search.rough(query);
+  const WalkQuery asked{kNobody, &query, &rough};
+  std::vector<Neighbour> found;
+  for (auto nodes = implementation_->graph->searchKnn(&asked, width); !nodes.empty(); nodes.pop())
+    for (std::uint32_t i = implementation_->first[nodes.top().second]; i != kNobody; i = implementation_->next[i])
+      if (!keep || keep(i)) found.push_back({i, static_cast<double>(nodes.top().first)});
+  return found;
+}
+
+std::vector<Neighbour> ApproximateSearch::nearest_of(const Parts& query, std::vector<Neighbour> candidates,
+                                                     std::size_t n) const {
+  // Compared in full in the order of their bounds, as in the exact search.
+  std::ranges::sort(candidates, nearer_by_walk);
+  std::vector<Neighbour> best;
+  for (const Neighbour& candidate : candidates) {
+    if (best.size() == n && candidate.distance > best.back().distance * (1 + kFloatSlack)) break;
+    const Neighbour exact{candidate.member, implementation_->search.distance(query, candidate.member)};
+    best.insert(std::ranges::upper_bound(best, exact, nearer_by_walk), exact);
+    if (best.size() > n) best.pop_back();
+  }
+  return best;
+}
+
+std::vector<Neighbour> ApproximateSearch::walk(const Parts& query, std::size_t n, std::size_t width) const {
+  return n == 0 ? std::vector<Neighbour>() : nearest_of(query, candidates(query, std::max(width, n), {}), n);
+}
+
 std::vector<Neighbour> ApproximateSearch::nearest(const Parts& query, std::size_t n,
                                                   const std::function<bool(std::size_t)>& keep) const {
   if (!complete()) throw std::logic_error("the graph is not complete");
   if (n == 0) return {};
-  const NearestSearch& search = implementation_->search;
-  const Parts rough = search.rough(query);
-  const GraphQuery asked{kNobody, &query, &rough};
-  const auto nearer = [](const Neighbour& a, const Neighbour& b) {
-    return a.distance < b.distance || (a.distance == b.distance && a.member < b.member);
-  };
   // A filter leaves fewer of those that a walk finds, so wider walks follow until enough are left.
-  for (std::size_t width = kWalkWidth; n < implementation_->built(); width *= 4) {
+  for (std::size_t width = kWalkWidth; n < nodes(); width *= 4) {
     width = std::max(width, 3 * n);
-    if (width * kWorthWalking >= implementation_->built()) break;
-    std::vector<Neighbour> found;
-    for (auto nodes = implementation_->graph->searchKnn(&asked, width); !nodes.empty(); nodes.pop())
-      for (std::uint32_t i = implementation_->first[nodes.top().second]; i != kNobody; i = implementation_->next[i])
-        if (!keep || keep(i)) found.push_back({i, static_cast<double>(nodes.top().first)});
-    if (found.size() < std::max(2 * n, kWalkWidth / 2)) continue;
-    // Compared in full in the order of their bounds, as in the exact search.
-    std::ranges::sort(found, nearer);
-    std::vector<Neighbour> best;
-    for (const Neighbour& candidate : found) {
-      if (best.size() == n && candidate.distance > best.back().distance * (1 + kFloatSlack)) break;
-      const Neighbour exact{candidate.member, search.distance(query, candidate.member)};
-      best.insert(std::ranges::upper_bound(best, exact, nearer), exact);
-      if (best.size() > n) best.pop_back();
-    }
-    return best;
+    if (width * kWorthWalking >= nodes()) break;
+    std::vector<Neighbour> found = candidates(query, width, keep);
+    if (found.size() >= std::max(2 * n, kWalkWidth / 2)) return nearest_of(query, std::move(found), n);
   }
-  return search.nearest(query, n, keep);
+  return implementation_->search.nearest(query, n, keep);
 }
 
 std::vector<Neighbour> find_nearest(const NearestSearch& search, const ApproximateSearch* graph, const Parts& query,

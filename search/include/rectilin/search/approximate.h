@@ -57,8 +57,14 @@ class ApproximateSearch {
   /// Throws std::logic_error unless complete().
   std::vector<Neighbour> nearest(const Parts& query, std::size_t n,
                                  const std::function<bool(std::size_t)>& keep = {}) const;
+  /// By the graph alone, without a filter: the n nearest of the `width` that a walk ends with.
+  std::vector<Neighbour> walk(const Parts& query, std::size_t n, std::size_t width) const;
 
  private:
+  std::vector<Neighbour> candidates(const Parts& query, std::size_t width,
+                                    const std::function<bool(std::size_t)>& keep) const;
+  std::vector<Neighbour> nearest_of(const Parts& query, std::vector<Neighbour> candidates, std::size_t n) const;
+
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
