@@ -82,6 +82,7 @@ struct SearchOptions {
 /// A database read into memory.
 struct Loaded {
   explicit Loaded(search::Database& database) : search(database.descriptor()) {
+    search.reserve(database.described());
     database.for_each_signature([this](search::Member&& member, search::Parts&& parts) {
       search.add(parts);
       members.push_back(std::move(member));

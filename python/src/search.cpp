@@ -64,6 +64,7 @@ std::shared_ptr<LoadedDatabase> open_database(py::handle given) {
                                                              {},
                                                              search::make_terms(database.descriptor()),
                                                              search::NearestSearch(database.descriptor())});
+    loaded->nearest.reserve(database.described());
     database.for_each_signature([&](search::Member&& member, search::Parts&& parts) {
       loaded->nearest.add(parts);
       loaded->members.push_back(std::move(member));

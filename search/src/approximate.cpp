@@ -123,13 +123,14 @@ void append(std::string& bytes, const Number* numbers, std::size_t count = 1) {
 
 struct ApproximateSearch::Implementation {
   const NearestSearch& search;
-  MembersSpace space;
+  std::unique_ptr<hnswlib::SpaceInterface<float>> space;
   std::vector<std::uint32_t> first;   ///< of each node the member that is first by id
   std::vector<std::uint32_t> next;    ///< of each member another one with the same signature, or kNobody
   std::vector<std::uint64_t> hashes;  ///< of each node's signature
   std::unique_ptr<Graph> graph;
 
-  Implementation(const NearestSearch& s, const std::vector<std::int64_t>& ids) : search(s), space(s) {
+  Implementation(const NearestSearch& s, const std::vector<std::int64_t>& ids)
+      : search(s), space(std::make_unique<MembersSpace>(s)) {
     if (ids.size() != s.size()) throw std::invalid_argument("an id for each member");
     if (ids.size() >= kNobody) throw std::invalid_argument("too many members for a graph");
     std::vector<std::uint32_t> order(ids.size());
@@ -160,7 +161,7 @@ struct ApproximateSearch::Implementation {
 
   void clear() {
     graph.reset();  // before another takes as much memory
-    graph = std::make_unique<Graph>(&space, std::max<std::size_t>(first.size(), 1), kLinks, kBuildWidth);
+    graph = std::make_unique<Graph>(space.get(), std::max<std::size_t>(first.size(), 1), kLinks, kBuildWidth);
   }
 
   std::size_t built() const { return graph->cur_element_count; }

@@ -121,6 +121,7 @@ std::vector<DuplicateGroup> groups_of(const std::vector<DuplicateEvidence>& pair
 Duplicates find_duplicates(Database& database, const DuplicateOptions& options, const LoopControl& control) {
   Duplicates result;
   NearestSearch search(database.descriptor());
+  search.reserve(database.described());
   database.for_each_signature([&](Member&& member, Parts&& parts) {
     search.add(parts);
     result.members.push_back(std::move(member));

@@ -32,6 +32,7 @@ class Words {
 Collection::Collection(search::Database database) : descriptor_(database.descriptor()), search_(descriptor_) {
   for (const search::Member& m : database.members())
     if (m.status == search::MemberStatus::kFailed) ++failed_;
+  search_.reserve(database.described());
   database.for_each_signature([this](search::Member&& member, search::Parts&& parts) {
     search_.add(parts);
     places_[member.id] = members_.size();
