@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
     for (const bool by_diffusion : {false, true})
       benchmark::RegisterBenchmark(by_diffusion ? "nearest_by_diffusion" : "nearest",
                                    [&, by_diffusion](auto& state) { nearest(state, originals, by_diffusion); })
-          ->ArgsProduct({{1'000, 10'000, 100'000, 1'000'000}, {1, 2}})
+          ->ArgsProduct({{1'000, 10'000, 100'000, 300'000, 1'000'000}, {1, 2}})
           ->ArgNames({"shapes", "threads"})
           ->Unit(benchmark::kMillisecond)
           ->UseRealTime();
