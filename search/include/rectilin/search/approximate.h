@@ -23,8 +23,9 @@ enum class GraphFile {
 };
 
 /// A graph in which each member is linked to a few that are near it (hierarchical navigable small world, Malkov and
-/// Yashunin 2020, MalkovYashunin2020 in papers/references.bib; built and walked by hnswlib). A search looks at some hundreds of members, however many there are, and
-/// so may miss some of the nearest; the distances of those it finds are exact.
+/// Yashunin 2020; MalkovYashunin2020 in papers/references.bib), built and walked by hnswlib. A search looks at some
+/// hundreds of members, however many there are, and so may miss some of the nearest; the distances of those it finds
+/// are exact.
 ///
 /// The graph is by NearestSearch::rough_distance(), a tenth of the price of the distance; what the walk finds is then
 /// compared in full. Members with the same signature are one node, so that many copies of one file cannot take all of
