@@ -3,9 +3,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <functional>
 #include <numeric>
 #include <stdexcept>
 #include <unordered_map>
@@ -24,8 +26,9 @@ namespace {
 // How these were chosen: papers/search.md.
 constexpr std::size_t kLinks = 10;        // of a member that is added; at most twice as many on the lowest level
 constexpr std::size_t kBuildWidth = 100;  // candidates among which its links are chosen
-constexpr std::size_t kWalkWidth = 256;   // candidates that a search ends with
+constexpr std::size_t kWalkWidth = 512;   // candidates that a search ends with
 constexpr std::size_t kWorthWalking = 8;  // a walk looks at about so many members for each of these
+constexpr double kLengthened = 1.5;       // see MembersSpace
 constexpr std::uint64_t kLevelSeed = 1;
 constexpr double kFloatSlack = 1e-6;  // the walk's distances are of single precision
 constexpr std::uint32_t kNobody = 0xffffffff;
@@ -40,24 +43,38 @@ struct WalkQuery {
 };
 
 /// The distance between two nodes' numbers, or a WalkQuery and a number: signatures stay where they are.
+///
+/// hnswlib links a new node to a candidate only if none of its links so far is nearer to the candidate than it is. Of a
+/// shape and its variations, each of which is nearer to that shape than to all others, this leaves one link, and most
+/// of them cannot be reached. So a link counts as further from the candidate than it is. hnswlib has no setting for
+/// that; but it is for these distances, and for lists that are full, in which all are lengthened alike, that it asks
+/// with two places in its own memory.
 class MembersSpace final : public hnswlib::SpaceInterface<float> {
  public:
   explicit MembersSpace(const NearestSearch& search) : search_(search) {}
   std::size_t get_data_size() override { return sizeof(std::uint32_t); }
   hnswlib::DISTFUNC<float> get_dist_func() override { return &distance; }
-  void* get_dist_func_param() override { return const_cast<NearestSearch*>(&search_); }
+  void* get_dist_func_param() override { return this; }
+  void set_lengthening(bool on) { factor_ = on ? kLengthened : 1; }
+  void set_memory(const char* begin, std::size_t size) { begin_ = begin, end_ = begin + size; }
 
  private:
   static float distance(const void* a, const void* b, const void* of) {
-    const NearestSearch& search = *static_cast<const NearestSearch*>(of);
+    const MembersSpace& space = *static_cast<const MembersSpace*>(of);
     std::uint32_t first, second;  // not aligned
     std::memcpy(&first, a, sizeof first);
     std::memcpy(&second, b, sizeof second);
-    if (first != kNobody) return static_cast<float>(search.rough_distance(first, second));
+    if (first != kNobody) {
+      const char* at = static_cast<const char*>(a);
+      const bool between_nodes = !std::less<>()(at, space.begin_) && std::less<>()(at, space.end_);
+      return static_cast<float>((between_nodes ? space.factor_ : 1) * space.search_.rough_distance(first, second));
+    }
     const WalkQuery& query = *static_cast<const WalkQuery*>(a);
-    return static_cast<float>(search.rough_distance(*query.parts, *query.rough, second));
+    return static_cast<float>(space.search_.rough_distance(*query.parts, *query.rough, second));
   }
   const NearestSearch& search_;
+  double factor_ = 1;
+  const char *begin_ = nullptr, *end_ = nullptr;
 };
 
 bool nearer_by_walk(const Neighbour& a, const Neighbour& b) {
@@ -163,6 +180,8 @@ struct ApproximateSearch::Implementation {
   void clear() {
     graph.reset();  // before another takes as much memory
     graph = std::make_unique<Graph>(space.get(), std::max<std::size_t>(first.size(), 1), kLinks, kBuildWidth);
+    static_cast<MembersSpace&>(*space).set_memory(graph->data_level0_memory_,
+                                                  graph->max_elements_ * graph->size_data_per_element_);
   }
 
   std::size_t built() const { return graph->cur_element_count; }
@@ -171,7 +190,7 @@ struct ApproximateSearch::Implementation {
   std::uint64_t key(std::size_t nodes) const {
     WordHash hash;
     hash.add(search.descriptor().data(), search.descriptor().size());
-    hash.add(kLinks).add(kBuildWidth).add(kLevelSeed);
+    hash.add(kLinks).add(kBuildWidth).add(kLevelSeed).add(std::bit_cast<std::uint64_t>(kLengthened));
     for (std::size_t k = 0; k < nodes; ++k) hash.add(hashes[k]);
     return hash.value();
   }
@@ -185,6 +204,8 @@ struct ApproximateSearch::Implementation {
   void add_node(std::size_t node) {
     // hnswlib draws a level unless it is given one above zero; with this factor it draws zero.
     graph->mult_ = 0;
+    // The tenth of the nodes that is on higher levels, too, keeps hnswlib's rule: their links lead far.
+    static_cast<MembersSpace&>(*space).set_lengthening(level_of(node) == 0);
     graph->addPoint(&first[node], node, level_of(node));
   }
 

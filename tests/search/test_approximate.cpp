@@ -101,17 +101,38 @@ TEST_CASE("the graph finds nearly all of the nearest, with exact distances") {
 }
 
 TEST_CASE("copies of one file do not shut out the rest, and stand in order") {
-  Members members = some_members(3000);
+  Members members = some_members(5000);
   for (std::int64_t i = 0; i < 500; ++i) members.add(family_parts(17), 10'000 + i);
   ApproximateSearch graph(members.search, members.ids);
   REQUIRE(graph.build());
-  CHECK(graph.nodes() == 3000);
+  CHECK(graph.nodes() == 5000);
   const auto found = graph.nearest(family_parts(17), 100);
   CHECK(found == members.search.nearest(family_parts(17), 100));
   CHECK(found.front().member == 17);
-  CHECK(found.back().member == 3098);
+  CHECK(found.back().member == 5098);
   const Parts other = family_parts(2'000'000);
   CHECK(graph.nearest(other, 3) == members.search.nearest(other, 3));
+}
+
+TEST_CASE("a shape and its variations can all be reached") {
+  // Each variation is nearer to the shape than to any other variation.
+  Members members = some_members(4500);
+  const Parts shape = family_parts(3'000'000);
+  std::int64_t id = 4500;
+  members.add(shape, ++id);
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    Random random(i);
+    Parts parts = shape;
+    for (auto& part : parts)
+      for (auto& byte : part) byte = static_cast<std::uint8_t>(byte + random.below(12));
+    members.add(parts, ++id);
+  }
+  ApproximateSearch graph(members.search, members.ids);
+  REQUIRE(graph.build());
+  int reached = 0;
+  for (std::size_t i = 4500; i < 4801; ++i)
+    reached += graph.walk(members.search.parts_of(i), 1, 128).front() == Neighbour{i, 0.0};
+  CHECK(reached >= 295);
 }
 
 TEST_CASE("the graph is the same bytes each time, in one go or in parts, whatever the order of names") {
