@@ -60,8 +60,8 @@ void add_serve_command(CLI::App& app, int& status) {
       ->transform(CLI::AsSizeValue(false))
       ->default_str("256M");
   command->add_flag("--approximate", options->serve.approximate,
-                    "Search by a graph in DATABASE-graph, built when needed (a million shapes take half an hour): 2 ms "
-                    "instead of 0.3 s for a million, but some of the nearest may be missed");
+                    "Search by a graph in DATABASE-graph, built when needed (a million shapes take half an hour): some "
+                    "milliseconds instead of 0.3 s for a million, but some of the nearest may be missed");
   add_threads_option(*command, options->threads, "for searches");
   command->footer(
       "The page browses the collection, searches by a member or by a file dropped on it, and turns shapes in 3D side "
