@@ -11,6 +11,7 @@
 #include "rectilin/base/printable.h"
 #include "rectilin/base/whole_file.h"
 #include "rectilin/mesh/source.h"
+#include "rectilin/search/approximate.h"
 #include "rectilin/search/duplicates.h"
 #include "rectilin/search/page.h"
 #include "terminal.h"
@@ -21,7 +22,7 @@ namespace {
 struct DuplicatesOptions {
   std::string database, page, out;
   search::DuplicateOptions settings;
-  bool json = false;
+  bool json = false, approximate = false;
   int threads = 0;
 };
 
@@ -158,16 +159,20 @@ void write_overlays(const std::filesystem::path& folder, const Overlays& overlay
 int list_duplicates(const DuplicatesOptions& options) {
   const auto limit = limit_threads(options.threads);
   search::Database database(options.database);
+  search::DuplicateOptions settings = options.settings;
+  if (options.approximate) settings.graph = search::graph_file(options.database);
   search::Duplicates found;
   {
     std::unique_ptr<Progress> progress;
-    found =
-        search::find_duplicates(database, options.settings,
-                                {stop_on_interrupt(), [&](std::size_t done, std::size_t total, const std::string& t) {
-                                   if (!progress) progress = std::make_unique<Progress>(total);
-                                   progress->show(done, t);
-                                 }});
+    std::size_t of = 0;  // neighbours are looked for first, then pairs are compared
+    found = search::find_duplicates(
+        database, settings, {stop_on_interrupt(), [&](std::size_t done, std::size_t total, const std::string& t) {
+                               if (total != of) progress.reset();
+                               if (!progress) progress = std::make_unique<Progress>(of = total);
+                               progress->show(done, t);
+                             }});
   }
+  if (!found.note.empty()) complain(found.note);
   for (const std::string& error : found.errors) complain(error);
   if (!found.complete) {
     complain("stopped");
@@ -208,6 +213,10 @@ void add_duplicates_command(CLI::App& app, int& status) {
   command->add_option("--neighbours", options->settings.neighbours, "Neighbours of each shape that are looked at")
       ->check(count())
       ->capture_default_str();
+  command->add_flag(
+      "--approximate", options->approximate,
+      "Find neighbours by a graph in DATABASE-graph, built when needed: beyond 20,000 shapes or so, where "
+      "looking at all for each takes long; a pair may be missed");
   add_threads_option(*command, options->threads, "the groups are the same for any");
   command->footer(
       "Copies are found whatever their format, position, rotation, scale and, within the tolerance, tessellation; "

@@ -14,16 +14,26 @@ namespace {
 int serve_database(serve::ServeOptions options, int threads) {
   const auto limit = limit_threads(threads);
   options.worker_command = {std::filesystem::read_symlink("/proc/self/exe").string(), "serve-worker"};
-  serve::serve(
-      options,
-      [&](const serve::Started& started) {
-        std::cout << options.database << ": " << started.shapes << " shapes at " << started.url
-                  << " (Ctrl-C ends it)\n";
-        if (!started.viewer)
-          std::cout << "without 3D: three.js was not there when rectilin was built (it takes npm and a network)\n";
-        std::cout << std::flush;
-      },
-      stop_on_interrupt());
+  std::unique_ptr<Progress> progress;
+  options.on_progress = [&](std::size_t done, std::size_t total, const std::string& text) {
+    if (!progress) progress = std::make_unique<Progress>(total);
+    progress->show(done, text);
+  };
+  const auto started = [&](const serve::Started& s) {
+    progress.reset();
+    if (!s.note.empty()) complain(s.note);
+    std::cout << options.database << ": " << s.shapes << " shapes at " << s.url << " (Ctrl-C ends it)\n";
+    if (!s.viewer)
+      std::cout << "without 3D: three.js was not there when rectilin was built (it takes npm and a network)\n";
+    std::cout << std::flush;
+  };
+  try {
+    serve::serve(options, started, stop_on_interrupt());
+  } catch (const Stopped&) {
+    progress.reset();
+    complain("stopped; what was built of the graph is kept: the same command goes on from here");
+    return 1;
+  }
   return 0;
 }
 
@@ -49,6 +59,9 @@ void add_serve_command(CLI::App& app, int& status) {
   command->add_option("--upload", options->serve.upload_bytes, "Size of an uploaded file at most (500K, 1G)")
       ->transform(CLI::AsSizeValue(false))
       ->default_str("256M");
+  command->add_flag("--approximate", options->serve.approximate,
+                    "Search by a graph in DATABASE-graph, built when needed (a million shapes take half an hour): some "
+                    "milliseconds instead of 0.3 s for a million, but some of the nearest may be missed");
   add_threads_option(*command, options->threads, "for searches");
   command->footer(
       "The page browses the collection, searches by a member or by a file dropped on it, and turns shapes in 3D side "

@@ -4,10 +4,10 @@
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
-#include <algorithm>
 #include <iostream>
 #include <memory>
 
+#include "grown.h"
 #include "rectilin/base/random.h"
 #include "rectilin/search/diffusion.h"
 #include "rectilin/search/nearest.h"
@@ -16,22 +16,8 @@ namespace {
 
 using namespace rectilin;
 using namespace rectilin::search;
-
-constexpr int kNoise = 6;  // each byte moves by up to so much: about what remeshing does
-
-Parts perturbed(Parts parts, Random& random) {
-  for (auto& part : parts)
-    for (std::uint8_t& byte : part) {
-      const int moved = byte + static_cast<int>(random.below(2 * kNoise + 1)) - kNoise;
-      byte = static_cast<std::uint8_t>(std::clamp(moved, 0, 255));
-    }
-  return parts;
-}
-
-struct Originals {
-  std::string descriptor;
-  std::vector<Parts> parts;
-};
+using rectilin::bench::Originals;
+using rectilin::bench::perturbed;
 
 /// A collection of so many, kept from one benchmark to the next of the same size.
 const NearestSearch& collection(const Originals& originals, std::size_t size) {
@@ -87,17 +73,14 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    Database database(argv[1]);
-    Originals originals{database.descriptor(), {}};
-    database.for_each_signature([&](Member&&, Parts&& parts) { originals.parts.push_back(std::move(parts)); });
-    if (originals.parts.empty()) throw std::runtime_error(std::string(argv[1]) + ": has no signatures");
+    const Originals originals(argv[1]);
     benchmark::RegisterBenchmark("compare", [&](auto& state) {
       compare(state, originals);
     })->Unit(benchmark::kMicrosecond);
     for (const bool by_diffusion : {false, true})
       benchmark::RegisterBenchmark(by_diffusion ? "nearest_by_diffusion" : "nearest",
                                    [&, by_diffusion](auto& state) { nearest(state, originals, by_diffusion); })
-          ->ArgsProduct({{1'000, 10'000, 100'000, 1'000'000}, {1, 2}})
+          ->ArgsProduct({{1'000, 10'000, 100'000, 300'000, 1'000'000}, {1, 2}})
           ->ArgNames({"shapes", "threads"})
           ->Unit(benchmark::kMillisecond)
           ->UseRealTime();

@@ -5,7 +5,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 packages=(g++ cmake ninja-build xz-utils
   libeigen3-dev libtbb-dev libhwy-dev nlohmann-json3-dev libcli11-dev catch2 gnuplot-nox
   libnlopt-cxx-dev libceres-dev libpagmo-dev libmeshoptimizer-dev libqhull-dev libpng-dev libtinygltf-dev lib3mf-dev
-  libarchive-dev libdeflate-dev libsqlite3-dev libmicrohttpd-dev libbenchmark-dev libpolyclipping-dev
+  libarchive-dev libdeflate-dev libsqlite3-dev libhnswlib-dev libmicrohttpd-dev libbenchmark-dev libpolyclipping-dev
   python3-dev pybind11-dev python3-numpy python3-scipy python3-matplotlib python3-pytest python3-pip python3-setuptools
   python3-wheel)
 

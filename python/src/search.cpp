@@ -5,9 +5,9 @@
 #include "beside.h"
 #include "mesh.h"
 #include "rectilin/base/printable.h"
+#include "rectilin/search/approximate.h"
 #include "rectilin/search/database.h"
 #include "rectilin/search/describe.h"
-#include "rectilin/search/diffusion.h"
 #include "rectilin/search/duplicates.h"
 #include "rectilin/search/index.h"
 #include "rectilin/search/nearest.h"
@@ -23,6 +23,8 @@ struct LoadedDatabase {
   std::vector<std::pair<std::string, std::string>> failed;
   std::vector<retrieval::DescriptorPointer> terms;
   search::NearestSearch nearest;
+  /// For approximate=True; made at the first such search, while the GIL is held.
+  mutable std::shared_ptr<const search::ApproximateSearch> graph = {};
 };
 
 struct Neighbours {
@@ -62,6 +64,7 @@ std::shared_ptr<LoadedDatabase> open_database(py::handle given) {
                                                              {},
                                                              search::make_terms(database.descriptor()),
                                                              search::NearestSearch(database.descriptor())});
+    loaded->nearest.reserve(database.described());
     database.for_each_signature([&](search::Member&& member, search::Parts&& parts) {
       loaded->nearest.add(parts);
       loaded->members.push_back(std::move(member));
@@ -107,8 +110,25 @@ std::vector<bool> mask_of(py::handle given, std::size_t members) {
   return keep;
 }
 
+/// The graph in the file beside the database, or built now. Ctrl-C stops that; the next call goes on.
+std::shared_ptr<const search::ApproximateSearch> graph_of(const LoadedDatabase& database) {
+  if (database.graph) return database.graph;
+  std::vector<std::int64_t> ids;
+  for (const search::Member& member : database.members) ids.push_back(member.id);
+  std::string note;
+  std::shared_ptr<const search::ApproximateSearch> graph = as_os_error([&] {
+    return with_progress(py::none(), [&](const LoopControl& control) {
+      return search::open_approximate(database.nearest, ids, search::graph_file(database.file), control, note);
+    });
+  });
+  if (!note.empty() && PyErr_WarnEx(PyExc_RuntimeWarning, printable(note).c_str(), 1) < 0)
+    throw py::error_already_set();
+  database.graph = graph;
+  return graph;
+}
+
 Neighbours find(const LoadedDatabase& database, py::handle vertices, py::handle faces, py::handle like,
-                py::handle count, py::handle keep, bool collection, py::handle threads) {
+                py::handle count, py::handle keep, bool collection, bool approximate, py::handle threads) {
   if (vertices.is_none() == like.is_none())
     throw ParameterError("search for a mesh or, with like=, for what is like a member");
   const std::size_t n = whole_number(count, "count", 1).value_or(20);
@@ -119,12 +139,12 @@ Neighbours find(const LoadedDatabase& database, py::handle vertices, py::handle 
   if (like.is_none()) mesh = GivenMesh(vertices, faces).copy();
   else member = member_of(database, like);
   Neighbours result;
+  const auto graph = approximate ? graph_of(database) : nullptr;
   const py::gil_scoped_release release;
   const search::Parts query = member ? database.nearest.parts_of(*member)
                                      : search::describe_model(retrieval::Model(std::move(*mesh)), database.terms).parts;
   const auto wanted = [&](std::size_t i) { return (!member || *member != i) && (kept.empty() || kept[i]); };
-  const auto found = collection ? search::diffused_nearest(database.nearest, query, n, wanted)
-                                : database.nearest.nearest(query, n, wanted);
+  const auto found = search::find_nearest(database.nearest, graph.get(), query, n, wanted, collection);
   for (const search::Neighbour& neighbour : found) {
     result.names.push_back(database.members[neighbour.member].name);
     result.members.push_back(static_cast<std::int64_t>(neighbour.member));
@@ -263,7 +283,8 @@ order of their names; all arrays are in this order. Raises OSError if the file c
            "A member's signature, (bytes,) uint8, for distance(); member: a name or a place.")
       .def("search", &find, py::arg("V") = py::none(), py::arg("F") = py::none(), py::kw_only(),
            py::arg("like") = py::none(), py::arg("count") = 20, py::arg("keep") = py::none(),
-           py::arg("collection") = false, py::arg("threads") = py::none(), "As rectilin.search().")
+           py::arg("collection") = false, py::arg("approximate") = false, py::arg("threads") = py::none(),
+           "As rectilin.search().")
       .def("__len__", [](const LoadedDatabase& d) { return d.members.size(); })
       .def("__repr__", [](const LoadedDatabase& d) {
         return "<rectilin.Database '" + printable(d.file) + "': " + std::to_string(d.members.size()) + " shapes by " +
@@ -288,20 +309,23 @@ written.
   m.def(
       "search",
       [](py::handle database, py::handle vertices, py::handle faces, py::handle like, py::handle count, py::handle keep,
-         bool collection, py::handle threads) {
+         bool collection, bool approximate, py::handle threads) {
         if (py::isinstance<LoadedDatabase>(database))
-          return find(database.cast<const LoadedDatabase&>(), vertices, faces, like, count, keep, collection, threads);
-        return find(*open_database(database), vertices, faces, like, count, keep, collection, threads);
+          return find(database.cast<const LoadedDatabase&>(), vertices, faces, like, count, keep, collection,
+                      approximate, threads);
+        return find(*open_database(database), vertices, faces, like, count, keep, collection, approximate, threads);
       },
       py::arg("database"), py::arg("V") = py::none(), py::arg("F") = py::none(), py::kw_only(),
       py::arg("like") = py::none(), py::arg("count") = 20, py::arg("keep") = py::none(), py::arg("collection") = false,
-      py::arg("threads") = py::none(),
+      py::arg("approximate") = false, py::arg("threads") = py::none(),
       R"(Finds the shapes of a database that are most like a mesh, in any position, rotation and scale.
 
 database: a Database or the name of its file, which is then read for this call alone. V, F: see measure(). like: instead
 of a mesh a member, by its name or its place. count: how many to find. keep: (n,) bools, which members may be found, such
 as database.rectilinearity > 0.8. collection: rank by diffusion through the collection; what lies between two shapes
-makes them alike. The result is exact: the same as if the query were compared with every member.
+makes them alike. The result is exact: the same as if the query were compared with every member. approximate: search by
+a graph that is kept in a file beside the database and built at the first such search, half an hour for a million shapes;
+some of the nearest may be missed.
 
 Returns Neighbours. Raises MeshError for a mesh without a signature, KeyError or IndexError if there is no such member,
 OSError if the file cannot be read.

@@ -145,6 +145,12 @@ Parts Database::signature(std::int64_t id) {
   return parts;
 }
 
+std::size_t Database::described() {
+  Statement s(implementation_->database, "SELECT count(*) FROM members WHERE status = 2");
+  s.step();
+  return static_cast<std::size_t>(s.integer(0));
+}
+
 void Database::for_each_signature(const std::function<void(Member&&, Parts&&)>& take) {
   Statement s(implementation_->database,
               std::string("SELECT ") + kColumns + " FROM members WHERE status = 2 ORDER BY name");

@@ -120,7 +120,11 @@ retrieval::DistanceMatrix collection_distances(const retrieval::DistanceMatrix& 
 
 std::vector<Neighbour> diffused_nearest(const NearestSearch& search, const Parts& query, std::size_t n,
                                         const std::function<bool(std::size_t)>& keep, const DiffusionOptions& options) {
-  std::vector<Neighbour> pool = search.nearest(query, std::max(n, options.pool), keep);
+  return diffused_pool(search, search.nearest(query, std::max(n, options.pool), keep), n, options);
+}
+
+std::vector<Neighbour> diffused_pool(const NearestSearch& search, std::vector<Neighbour> pool, std::size_t n,
+                                     const DiffusionOptions& options) {
   const std::size_t size = std::min(options.pool, pool.size()) + 1;
   std::vector<float> distances(size * size);
   const auto set = [&](std::size_t i, std::size_t j, double d) {

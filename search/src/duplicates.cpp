@@ -1,14 +1,19 @@
 #include "rectilin/search/duplicates.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
 #include <numeric>
+#include <optional>
 #include <set>
 
 #include "alignment.h"
 #include "rectilin/base/printable.h"
 #include "rectilin/mesh/source.h"
+#include "rectilin/search/approximate.h"
 #include "rectilin/search/nearest.h"
 
 namespace rectilin::search {
@@ -43,16 +48,27 @@ struct Candidate {
   double distance;
 };
 
-std::vector<Candidate> candidates_of(const NearestSearch& search, const std::vector<Member>& members,
-                                     const DuplicateOptions& options) {
+/// Pairs of members that are near each other; of those with the same bytes only the first. Nothing if it was stopped.
+std::optional<std::vector<Candidate>> candidates_of(const NearestSearch& search, const ApproximateSearch* graph,
+                                                    const std::vector<Member>& members,
+                                                    const std::vector<std::size_t>& stands_for,
+                                                    const DuplicateOptions& options, const LoopControl& control) {
   std::vector<std::vector<Candidate>> found(members.size());
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    const Parts own = search.parts_of(i);
-    for (const Neighbour& n : search.nearest(own, options.neighbours, [&](std::size_t j) { return j != i; }))
-      if (n.distance <= options.widest &&
-          std::abs(members[i].rectilinearity - members[n.member].rectilinearity) < kLikeR)
-        found[i].push_back({std::min(i, n.member), std::max(i, n.member), n.distance});
-  }
+  std::mutex mutex;
+  std::size_t done = 0;
+  tbb::parallel_for(std::size_t{0}, members.size(), [&](std::size_t i) {
+    if (control.stop.stop_requested()) return;
+    if (stands_for[i] == i) {
+      const auto others = [&](std::size_t j) { return j != i && stands_for[j] == j; };
+      for (const Neighbour& n : find_nearest(search, graph, search.parts_of(i), options.neighbours, others, false))
+        if (n.distance <= options.widest &&
+            std::abs(members[i].rectilinearity - members[n.member].rectilinearity) < kLikeR)
+          found[i].push_back({std::min(i, n.member), std::max(i, n.member), n.distance});
+    }
+    const std::lock_guard lock(mutex);
+    if (++done % 64 == 0 && control.on_progress) control.on_progress(done, members.size(), "looking for neighbours");
+  });
+  if (control.stop.stop_requested()) return std::nullopt;
   std::vector<Candidate> all;
   for (const auto& own : found) all.insert(all.end(), own.begin(), own.end());
   std::ranges::sort(all, [](const Candidate& a, const Candidate& b) {
@@ -105,6 +121,7 @@ std::vector<DuplicateGroup> groups_of(const std::vector<DuplicateEvidence>& pair
 Duplicates find_duplicates(Database& database, const DuplicateOptions& options, const LoopControl& control) {
   Duplicates result;
   NearestSearch search(database.descriptor());
+  search.reserve(database.described());
   database.for_each_signature([&](Member&& member, Parts&& parts) {
     search.add(parts);
     result.members.push_back(std::move(member));
@@ -118,9 +135,19 @@ Duplicates find_duplicates(Database& database, const DuplicateOptions& options, 
     stands_for[i] = first->second;
     if (!is_new) accepted.push_back({first->second, i, 0, 0, 1, false, true, 1, {}});
   }
-  std::vector<Candidate> candidates = candidates_of(search, members, options);
-  std::erase_if(candidates,
-                [&](const Candidate& c) { return stands_for[c.first] != c.first || stands_for[c.second] != c.second; });
+  std::unique_ptr<ApproximateSearch> graph;
+  if (!options.graph.empty()) {
+    std::vector<std::int64_t> ids;
+    for (const Member& member : members) ids.push_back(member.id);
+    try {
+      graph = open_approximate(search, ids, options.graph, control, result.note);
+    } catch (const Stopped&) {
+      return result;
+    }
+  }
+  const auto near = candidates_of(search, graph.get(), members, stands_for, options, control);
+  if (!near) return result;
+  const std::vector<Candidate>& candidates = *near;
   result.pairs_looked_at = candidates.size();
 
   // Shapes that are in a candidate, read and prepared once.

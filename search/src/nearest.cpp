@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "rectilin/retrieval/best.h"
-#include "rectilin/retrieval/bounded.h"
 
 namespace rectilin::search {
 namespace {
@@ -23,15 +22,11 @@ bool nearer(const Neighbour& a, const Neighbour& b) {
   return a.distance < b.distance || (a.distance == b.distance && a.member < b.member);
 }
 
-const Bounded* as_bounded(const retrieval::DescriptorPointer& descriptor) {
-  return dynamic_cast<const Bounded*>(descriptor.get());
-}
-
 }  // namespace
 
-NearestSearch::NearestSearch(const std::string& descriptor) {
+NearestSearch::NearestSearch(const std::string& descriptor) : text_(retrieval::without_alias(descriptor)) {
   double total = 0;
-  const std::vector<retrieval::Term> terms = retrieval::parse_composite(retrieval::without_alias(descriptor));
+  const std::vector<retrieval::Term> terms = retrieval::parse_composite(text_);
   for (const retrieval::Term& term : terms) {
     Term t;
     t.descriptor = retrieval::descriptors().make(term.spec);
@@ -40,8 +35,11 @@ NearestSearch::NearestSearch(const std::string& descriptor) {
     total += term.weight;
     t.bytes = t.descriptor->bytes();
     t.cheap = t.bytes <= kCheapBytes;
-    if (const Bounded* bounded = as_bounded(t.descriptor); bounded && !t.cheap)
-      t.coarse_bytes = bounded->coarse_bytes();
+    t.bounded = t.cheap ? nullptr : dynamic_cast<const Bounded*>(t.descriptor.get());
+    t.rough_bytes = t.cheap ? t.bytes : t.bounded ? t.bounded->coarse_bytes() : 0;
+    t.rough_offset = row_;
+    row_ += t.rough_bytes;
+    all_bounded_ &= t.cheap || t.bounded;
     terms_.push_back(std::move(t));
   }
   if (terms.size() > 1)
@@ -49,22 +47,22 @@ NearestSearch::NearestSearch(const std::string& descriptor) {
 }
 
 void NearestSearch::reserve(std::size_t members) {
-  for (Term& t : terms_) {
-    t.signatures.reserve(members * t.bytes);
-    t.coarse.reserve(members * t.coarse_bytes);
-  }
+  rough_.reserve(members * row_);
+  for (Term& t : terms_)
+    if (!t.cheap) t.signatures.reserve(members * t.bytes);
 }
 
 void NearestSearch::add(const Parts& parts) {
   if (parts.size() != terms_.size()) throw std::invalid_argument("a signature of another descriptor");
   for (std::size_t k = 0; k < terms_.size(); ++k)
     if (parts[k].size() != terms_[k].bytes) throw std::invalid_argument("a signature of another descriptor");
+  const auto append = [](HugePages<std::uint8_t>& to, const retrieval::Signature& what) {
+    to.insert(to.end(), what.begin(), what.end());
+  };
   for (std::size_t k = 0; k < terms_.size(); ++k) {
     Term& t = terms_[k];
-    t.signatures.insert(t.signatures.end(), parts[k].begin(), parts[k].end());
-    if (t.coarse_bytes == 0) continue;
-    const retrieval::Signature coarse = as_bounded(t.descriptor)->coarse(parts[k]);
-    t.coarse.insert(t.coarse.end(), coarse.begin(), coarse.end());
+    if (t.bounded) append(rough_, t.bounded->coarse(parts[k]));
+    append(t.cheap ? rough_ : t.signatures, parts[k]);
   }
   ++size_;
 }
@@ -72,46 +70,69 @@ void NearestSearch::add(const Parts& parts) {
 Parts NearestSearch::parts_of(std::size_t member) const {
   Parts parts;
   for (const Term& t : terms_) {
-    const std::uint8_t* begin = t.signatures.data() + member * t.bytes;
-    parts.emplace_back(begin, begin + t.bytes);
+    const SignatureView own = signature(t, member);
+    parts.emplace_back(own.begin(), own.end());
   }
   return parts;
 }
 
+SignatureView NearestSearch::signature(const Term& t, std::size_t member) const {
+  return t.cheap ? rough(t, member) : SignatureView(t.signatures.data() + member * t.bytes, t.bytes);
+}
+
+SignatureView NearestSearch::rough(const Term& t, std::size_t member) const {
+  return {rough_.data() + member * row_ + t.rough_offset, t.rough_bytes};
+}
+
 double NearestSearch::distance(const Parts& query, std::size_t member) const {
+  double sum = 0;
+  for (std::size_t k = 0; k < terms_.size(); ++k)
+    sum += terms_[k].factor * terms_[k].descriptor->distance(query[k], signature(terms_[k], member));
+  return sum;
+}
+
+double NearestSearch::bound(const Parts& query, const Parts& sums, std::size_t member) const {
   double sum = 0;
   for (std::size_t k = 0; k < terms_.size(); ++k) {
     const Term& t = terms_[k];
-    sum += t.factor * t.descriptor->distance(query[k], SignatureView(t.signatures.data() + member * t.bytes, t.bytes));
+    if (t.cheap) sum += t.factor * t.descriptor->distance(query[k], signature(t, member));
+    else if (t.bounded) sum += t.factor * t.bounded->bound(sums[k], rough(t, member));
   }
   return sum;
 }
 
-double NearestSearch::bound(const Parts& query, const Parts& coarse, std::size_t member) const {
-  double sum = 0;
-  for (std::size_t k = 0; k < terms_.size(); ++k) {
-    const Term& t = terms_[k];
-    if (t.cheap)
-      sum +=
-          t.factor * t.descriptor->distance(query[k], SignatureView(t.signatures.data() + member * t.bytes, t.bytes));
-    else if (t.coarse_bytes > 0)
-      sum +=
-          t.factor * as_bounded(t.descriptor)
-                         ->bound(coarse[k], SignatureView(t.coarse.data() + member * t.coarse_bytes, t.coarse_bytes));
+double NearestSearch::rough_distance(const Parts& query, const Parts& sums, std::size_t member) const {
+  for (std::size_t i = 0; i < row_; i += 64) __builtin_prefetch(rough_.data() + member * row_ + i);
+  return all_bounded_ ? bound(query, sums, member) : distance(query, member);
+}
+
+double NearestSearch::rough_distance(std::size_t a, std::size_t b) const {
+  // The members come in no order, so all of a row is asked for before the first byte is waited for.
+  for (std::size_t i = 0; i < row_; i += 64) {
+    __builtin_prefetch(rough_.data() + a * row_ + i);
+    __builtin_prefetch(rough_.data() + b * row_ + i);
   }
+  double sum = 0;
+  for (const Term& t : terms_)
+    sum += t.factor * (all_bounded_ && t.bounded ? t.bounded->bound(rough(t, a), rough(t, b))
+                                                 : t.descriptor->distance(signature(t, a), signature(t, b)));
   return sum;
+}
+
+Parts NearestSearch::rough(const Parts& query) const {
+  Parts sums;
+  for (std::size_t k = 0; k < terms_.size(); ++k)
+    sums.push_back(terms_[k].bounded ? terms_[k].bounded->coarse(query[k]) : retrieval::Signature());
+  return sums;
 }
 
 std::vector<Neighbour> NearestSearch::search(const Parts& query, std::size_t n, double radius,
                                              const std::function<bool(std::size_t)>& keep, NearestCosts* costs) const {
-  Parts coarse;
-  for (std::size_t k = 0; k < terms_.size(); ++k)
-    coarse.push_back(terms_[k].coarse_bytes > 0 ? as_bounded(terms_[k].descriptor)->coarse(query[k])
-                                                : retrieval::Signature());
+  const Parts sums = rough(query);
   std::vector<Neighbour> bounds(size_);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size_, 512), [&](const auto& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i)
-      bounds[i] = {i, keep && !keep(i) ? std::numeric_limits<double>::infinity() : bound(query, coarse, i)};
+      bounds[i] = {i, keep && !keep(i) ? std::numeric_limits<double>::infinity() : bound(query, sums, i)};
   });
   if (keep) std::erase_if(bounds, [](const Neighbour& b) { return std::isinf(b.distance); });
   if (costs) *costs = {bounds.size(), 0};

@@ -33,14 +33,17 @@ HttpLimits limits_for(const ServeOptions& options) {
 }  // namespace
 
 void serve(const ServeOptions& options, const std::function<void(const Started&)>& started, std::stop_token stop) {
-  const Collection collection{search::Database(options.database)};
+  Collection collection{search::Database(options.database)};
+  std::string note;
+  if (options.approximate)
+    note = collection.use_graph(search::graph_file(options.database), {stop, options.on_progress});
   PageFiles page = load_page_files();
   const bool viewer = page.viewer;
   MeshWork work(options.worker_command, kChildLimits);
   Api api(collection, std::move(page), work,
           {std::filesystem::path(options.database).filename().string(), options.hosts, options.upload_bytes});
   HttpServer server(options.address, options.port, limits_for(options), api);
-  started({"http://" + with_port(options.address, server.port()) + "/", collection.size(), viewer});
+  started({"http://" + with_port(options.address, server.port()) + "/", collection.size(), viewer, note});
   for (int steps = 0; !stop.stop_requested(); ++steps) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     if (steps % 20 == 0) server.sweep();

@@ -119,6 +119,25 @@ expect 1 'foreign.db: not a database of shapes' "$rectilin" index meshes -o fore
 expect 1 'foreign.db: not a database of shapes' "$rectilin" duplicates foreign.db
 cmp -s foreign.db foreign.before || fail "another program's database was changed"
 
+# By a graph of neighbours: the same, and its file is beside the database.
+"$rectilin" search shapes.db turned.ply -n 3 --json >exact.json 2>err || fail "an exact search"
+expect 0 'distance' "$rectilin" search shapes.db turned.ply -n 3 --json --approximate
+cmp -s out exact.json || fail "the approximate search of a few shapes is not the exact one"
+[ -s shapes.db-graph ] || fail "no graph beside the database"
+cp shapes.db-graph graph.before
+expect 0 'distance' "$rectilin" search shapes.db turned.ply --approximate
+cmp -s shapes.db-graph graph.before || fail "a graph changed that was complete"
+head -c 50 graph.before >shapes.db-graph
+expect 0 'shapes.db-graph: is damaged; the graph is built anew' "$rectilin" search shapes.db turned.ply --approximate
+cmp -s shapes.db-graph graph.before || fail "a damaged graph was not replaced by the same"
+echo "my notes" >shapes.db-graph
+expect 1 'shapes.db-graph: is no graph of neighbours' "$rectilin" search shapes.db turned.ply --approximate
+[ "$(cat shapes.db-graph)" = "my notes" ] || fail "somebody's file was replaced"
+rm shapes.db-graph
+"$rectilin" duplicates shapes.db >exact.txt 2>err
+expect 0 'groups in' "$rectilin" duplicates shapes.db --approximate
+cmp -s out exact.txt || fail "duplicates by a graph differ"
+
 # Bad input.
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n' >meshes/bad.off
 expect 1 'bad.off:line' "$rectilin" index meshes -o shapes.db -d "$d"

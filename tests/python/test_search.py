@@ -90,7 +90,7 @@ def test_a_turned_scaled_moved_member_finds_itself(file):
 
 
 def test_the_commands_results(file, command):
-    for arguments, keywords in [([], {}), (["--collection"], {"collection": True})]:
+    for arguments, keywords in [([], {}), (["--collection"], {"collection": True}), (["--approximate"], {"approximate": True})]:
         line = subprocess.run([command, "search", str(file), "shape:lshape?x=2", "-n", "4", "--json", *arguments], check=True, capture_output=True).stdout
         there = json.loads(line)["results"]
         here = rectilin.search(file, "shape:lshape?x=2", count=4, **keywords)

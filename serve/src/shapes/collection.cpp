@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <sstream>
 
-#include "rectilin/search/diffusion.h"
-
 namespace rectilin::serve {
 namespace {
 
@@ -34,12 +32,21 @@ class Words {
 Collection::Collection(search::Database database) : descriptor_(database.descriptor()), search_(descriptor_) {
   for (const search::Member& m : database.members())
     if (m.status == search::MemberStatus::kFailed) ++failed_;
+  search_.reserve(database.described());
   database.for_each_signature([this](search::Member&& member, search::Parts&& parts) {
     search_.add(parts);
     places_[member.id] = members_.size();
     small_names_.push_back(small_letters(member.name));
     members_.push_back(std::move(member));
   });
+}
+
+std::string Collection::use_graph(const std::filesystem::path& file, const LoopControl& control) {
+  std::vector<std::int64_t> ids;
+  for (const search::Member& member : members_) ids.push_back(member.id);
+  std::string note;
+  graph_ = search::open_approximate(search_, ids, file, control, note);
+  return note;
 }
 
 std::optional<std::size_t> Collection::find(std::int64_t id) const {
@@ -64,7 +71,7 @@ std::vector<search::Neighbour> Collection::nearest(const search::Parts& query, s
   if (members_.empty()) return {};
   const Words words(text);
   const auto keep = [&](std::size_t i) { return i != except && (words.none() || words.in(small_names_[i])); };
-  return by_diffusion ? search::diffused_nearest(search_, query, count, keep) : search_.nearest(query, count, keep);
+  return search::find_nearest(search_, graph_.get(), query, count, keep, by_diffusion);
 }
 
 bool Collection::fits(const search::Parts& parts) const {

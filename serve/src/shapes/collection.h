@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "rectilin/search/approximate.h"
 #include "rectilin/search/database.h"
 #include "rectilin/search/nearest.h"
 
@@ -17,11 +20,14 @@ struct Page {
   std::vector<std::size_t> members;  ///< the part asked for
 };
 
-/// Immutable, so thread safe.
+/// Immutable once it is made, so thread safe.
 class Collection {
  public:
   /// Throws what search::Database throws.
   explicit Collection(search::Database database);
+
+  /// Searches by the graph in a file from now on, see search::open_approximate(). Returns its note.
+  std::string use_graph(const std::filesystem::path& file, const LoopControl& control);
 
   const std::string& descriptor() const { return descriptor_; }
   std::size_t failed() const { return failed_; }  ///< members that have no signature
@@ -47,6 +53,7 @@ class Collection {
   std::vector<std::string> small_names_;  // in small letters
   std::unordered_map<std::int64_t, std::size_t> places_;
   search::NearestSearch search_;
+  std::unique_ptr<search::ApproximateSearch> graph_;
 };
 
 }  // namespace rectilin::serve

@@ -62,6 +62,7 @@ class Database {
   std::optional<Member> find_id(std::int64_t id);
   /// Empty for a member that is not done.
   Parts signature(std::int64_t id);
+  std::size_t described();  ///< how many members are done
   /// Members that are done, in the order of their names, each with its signature.
   void for_each_signature(const std::function<void(Member&&, Parts&&)>& take);
 

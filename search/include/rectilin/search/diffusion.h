@@ -49,4 +49,8 @@ std::vector<Neighbour> diffused_nearest(const NearestSearch& search, const Parts
                                         const std::function<bool(std::size_t)>& keep = {},
                                         const DiffusionOptions& options = {});
 
+/// The same within a pool that was found in another way: nearest first, with their distances from the query.
+std::vector<Neighbour> diffused_pool(const NearestSearch& search, std::vector<Neighbour> pool, std::size_t n,
+                                     const DiffusionOptions& options = {});
+
 }  // namespace rectilin::search

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct DuplicateOptions {
   double tolerance = 0.015;     ///< largest distance of the surfaces, root mean square, in radii of the shape
   double shared = 0.8;          ///< or this share of the coarser mesh's vertices, 16 at least, are the other's, and
   double loose = 0.2;           ///< the surfaces are no further apart than this: a simplified copy
+  /// Neighbours are found by the graph in this file, see open_approximate(); if empty, exactly, which takes a time that
+  /// grows with the square of the number of members.
+  std::filesystem::path graph = {};
 };
 
 /// How a pair was found to be one shape. The second mesh is turned, scaled and moved onto the first, and mirrored if
@@ -42,6 +46,7 @@ struct Duplicates {
   std::vector<Member> members;         ///< of the database that are done, in the order of their names
   std::vector<DuplicateGroup> groups;  ///< in the order of their first members
   std::vector<std::string> errors;     ///< of files that could not be read any more
+  std::string note;                    ///< what was amiss with the graph, if anything
   std::size_t pairs_looked_at = 0;
   bool complete = false;
 };
@@ -49,7 +54,8 @@ struct Duplicates {
 /// Finds them: neighbours by descriptor are brought onto each other, by their principal axes and by the frames of their
 /// largest rectilinearity in all 24 rotations with and without a reflection, the fit refined; what is left between the
 /// surfaces decides, or that vertices of the coarser mesh are vertices of the finer one, as a simplified copy's are.
-/// Reads the files of candidates; nothing is changed or removed. The result does not depend on the number of threads.
+/// Of files with the same bytes one is compared. Reads the files of candidates; nothing is changed or removed. The
+/// result does not depend on the number of threads.
 Duplicates find_duplicates(Database& database, const DuplicateOptions& options = {}, const LoopControl& control = {});
 
 }  // namespace rectilin::search
