@@ -2,7 +2,7 @@
 """What a search by a member costs `rectilin serve` in a large collection: signatures of a database, perturbed until there
 are enough, and requests one after the other.
 
-    bench/serve_search.py RECTILIN SHAPES.db [MEMBERS [REQUESTS]]
+    bench/serve_search.py RECTILIN SHAPES.db [MEMBERS [REQUESTS]] [--approximate]
 """
 import json
 import os
@@ -51,13 +51,15 @@ def cpu_seconds(process):
 
 
 def main():
-    rectilin, source = sys.argv[1:3]
-    count, requests = [int(x) for x in sys.argv[3:]] + [100_000, 50][len(sys.argv) - 3:]
+    words = [word for word in sys.argv[1:] if word != "--approximate"]
+    approximate = ["--approximate"] if len(words) < len(sys.argv) - 1 else []
+    rectilin, source = words[:2]
+    count, requests = [int(x) for x in words[2:]] + [100_000, 50][len(words) - 2:]
     with tempfile.TemporaryDirectory() as folder:
         database = os.path.join(folder, "grown.db")
         ids = grow(source, database, count)
         begin = time.monotonic()
-        server = subprocess.Popen([rectilin, "serve", database, "--port", "0"], stdout=subprocess.PIPE, text=True)
+        server = subprocess.Popen([rectilin, "serve", database, "--port", "0", *approximate], stdout=subprocess.PIPE, text=True)
         try:
             url = re.search(r"http://\S+", server.stdout.readline()).group()
             print(f"{len(ids)} members; ready after {time.monotonic() - begin:.1f} s")
