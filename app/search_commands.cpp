@@ -257,7 +257,7 @@ void add_search(CLI::App& app, int& status) {
       "The result is exact: the same as if the query were compared with every member, unless --approximate allows "
       "that\n"
       "some of the nearest are missed. The exact search takes 0.3 s of a million shapes, less time than reading them; "
-      "the\ngraph takes about half an hour to build for a million and pays for hundreds of queries at once or "
+      "the\ngraph takes about ten minutes to build for a million and pays for hundreds of queries at once or "
       "'rectilin serve'.\n"
       "Distances are comparable within one database only. With --json: {\"query\": NAME, \"results\": [{\"distance\": "
       "..., \"name\": ..., \"rank\": "

@@ -60,7 +60,7 @@ void add_serve_command(CLI::App& app, int& status) {
       ->transform(CLI::AsSizeValue(false))
       ->default_str("256M");
   command->add_flag("--approximate", options->serve.approximate,
-                    "Search by a graph in DATABASE-graph, built when needed (a million shapes take half an hour): some "
+                    "Search by a graph in DATABASE-graph, built when needed (a million shapes take ten minutes): some "
                     "milliseconds instead of 0.3 s for a million, but some of the nearest may be missed");
   add_threads_option(*command, options->threads, "for searches");
   command->footer(

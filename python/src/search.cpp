@@ -324,7 +324,7 @@ database: a Database or the name of its file, which is then read for this call a
 of a mesh a member, by its name or its place. count: how many to find. keep: (n,) bools, which members may be found, such
 as database.rectilinearity > 0.8. collection: rank by diffusion through the collection; what lies between two shapes
 makes them alike. The result is exact: the same as if the query were compared with every member. approximate: search by
-a graph that is kept in a file beside the database and built at the first such search, half an hour for a million shapes;
+a graph that is kept in a file beside the database and built at the first such search, ten minutes for a million shapes;
 some of the nearest may be missed.
 
 Returns Neighbours. Raises MeshError for a mesh without a signature, KeyError or IndexError if there is no such member,
