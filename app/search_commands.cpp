@@ -94,11 +94,9 @@ struct Loaded {
 
 /// The graph of --approximate, from the file beside the database or built now.
 std::unique_ptr<search::ApproximateSearch> graph_of(const Loaded& loaded, const std::string& database) {
-  std::vector<std::int64_t> ids;
-  for (const search::Member& member : loaded.members) ids.push_back(member.id);
   std::unique_ptr<Progress> progress;
   std::string note;
-  auto graph = search::open_approximate(loaded.search, ids, search::graph_file(database),
+  auto graph = search::open_approximate(loaded.search, loaded.members, search::graph_file(database),
                                         {stop_on_interrupt(),
                                          [&](std::size_t done, std::size_t total, const std::string& text) {
                                            if (!progress) progress = std::make_unique<Progress>(total);

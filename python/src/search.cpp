@@ -113,12 +113,11 @@ std::vector<bool> mask_of(py::handle given, std::size_t members) {
 /// The graph in the file beside the database, or built now. Ctrl-C stops that; the next call goes on.
 std::shared_ptr<const search::ApproximateSearch> graph_of(const LoadedDatabase& database) {
   if (database.graph) return database.graph;
-  std::vector<std::int64_t> ids;
-  for (const search::Member& member : database.members) ids.push_back(member.id);
   std::string note;
   std::shared_ptr<const search::ApproximateSearch> graph = as_os_error([&] {
     return with_progress(py::none(), [&](const LoopControl& control) {
-      return search::open_approximate(database.nearest, ids, search::graph_file(database.file), control, note);
+      return search::open_approximate(database.nearest, database.members, search::graph_file(database.file), control,
+                                      note);
     });
   });
   if (!note.empty() && PyErr_WarnEx(PyExc_RuntimeWarning, printable(note).c_str(), 1) < 0)

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "rectilin/base/fnv1a.h"
 #include "rectilin/base/random.h"
 #include "rectilin/base/whole_file.h"
 #include "rectilin/search/diffusion.h"
@@ -81,31 +82,6 @@ bool nearer_by_walk(const Neighbour& a, const Neighbour& b) {
   return a.distance < b.distance || (a.distance == b.distance && a.member < b.member);
 }
 
-/// FNV-1a by words of eight bytes; shorter ends are filled with zeros.
-class WordHash {
- public:
-  WordHash& add(std::uint64_t word) {
-    hash_ = (hash_ ^ word) * 0x100000001b3u;
-    hash_ ^= hash_ >> 29;
-    return *this;
-  }
-  WordHash& add(const void* data, std::size_t size) {
-    const char* bytes = static_cast<const char*>(data);
-    for (; size >= 8; bytes += 8, size -= 8) add_word(bytes, 8);
-    if (size > 0) add_word(bytes, size);
-    return *this;
-  }
-  std::uint64_t value() const { return hash_; }
-
- private:
-  void add_word(const char* bytes, std::size_t count) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes, count);
-    add(word);
-  }
-  std::uint64_t hash_ = 0xcbf29ce484222325u;
-};
-
 // A file: the kind, the header's numbers, the level of each node in a byte, for each node and each of its levels the
 // number of links in a byte and the links, and the hash of all that. Numbers are little-endian.
 constexpr std::string_view kGraphKind = "rectilin graph 1";
@@ -156,7 +132,7 @@ struct ApproximateSearch::Implementation {
     std::ranges::sort(order, {}, [&](std::uint32_t i) { return ids[i]; });
     std::vector<std::uint64_t> hash_of(ids.size());
     tbb::parallel_for(std::size_t{0}, ids.size(), [&](std::size_t i) {
-      WordHash hash;
+      Fnv1aWords hash;
       for (const retrieval::Signature& part : s.parts_of(i)) hash.add(part.data(), part.size());
       hash_of[i] = hash.value();
     });
@@ -188,7 +164,7 @@ struct ApproximateSearch::Implementation {
 
   /// Of the first so many nodes: what a graph of them depends on.
   std::uint64_t key(std::size_t nodes) const {
-    WordHash hash;
+    Fnv1aWords hash;
     hash.add(search.descriptor().data(), search.descriptor().size());
     hash.add(kLinks).add(kBuildWidth).add(kLevelSeed).add(std::bit_cast<std::uint64_t>(kLengthened));
     for (std::size_t k = 0; k < nodes; ++k) hash.add(hashes[k]);
@@ -226,7 +202,7 @@ struct ApproximateSearch::Implementation {
       }
     header.bytes = out.size() + kHashBytes;
     std::memcpy(out.data() + at, &header, sizeof header);
-    const std::uint64_t hash = WordHash().add(out.data(), out.size()).value();
+    const std::uint64_t hash = Fnv1aWords().add(out.data(), out.size()).value();
     append(out, &hash);
     return out;
   }
@@ -303,7 +279,7 @@ GraphFile ApproximateSearch::load(const std::filesystem::path& file) {
   GraphHeader header;
   Reader reader(hashed.substr(kGraphKind.size()));
   std::memcpy(&hash, bytes.data() + hashed.size(), sizeof hash);
-  if (hash != WordHash().add(hashed.data(), hashed.size()).value() || !reader.read(&header) ||
+  if (hash != Fnv1aWords().add(hashed.data(), hashed.size()).value() || !reader.read(&header) ||
       header.bytes != bytes.size())
     return GraphFile::kDamaged;
   if (header.nodes > implementation_->first.size() || header.key != implementation_->key(header.nodes))
@@ -367,6 +343,14 @@ std::vector<Neighbour> find_nearest(const NearestSearch& search, const Approxima
 std::filesystem::path graph_file(const std::filesystem::path& database) {
   std::filesystem::path file = database;
   return file += "-graph";
+}
+
+std::unique_ptr<ApproximateSearch> open_approximate(const NearestSearch& search, std::span<const Member> members,
+                                                    const std::filesystem::path& file, const LoopControl& control,
+                                                    std::string& note) {
+  std::vector<std::int64_t> ids;
+  for (const Member& member : members) ids.push_back(member.id);
+  return open_approximate(search, ids, file, control, note);
 }
 
 std::unique_ptr<ApproximateSearch> open_approximate(const NearestSearch& search, const std::vector<std::int64_t>& ids,

@@ -1,6 +1,5 @@
 #include "rectilin/search/digest.h"
 
-#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -28,23 +27,17 @@ std::string file_of(const std::string& source) {
 std::optional<std::string> file_digest(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) return std::nullopt;
-  // FNV-1a step by step over words, since bytes one by one would take longer than reading them.
-  std::uint64_t hash = 0xcbf29ce484222325u, size = 0;
+  Fnv1aWords hash;  // bytes one by one would take longer than reading them
+  std::uint64_t size = 0;
   std::vector<char> block(1 << 16);
   while (in) {
     in.read(block.data(), static_cast<std::streamsize>(block.size()));
     const auto count = static_cast<std::size_t>(in.gcount());
-    std::memset(block.data() + count, 0, (8 - count % 8) % 8);
-    for (std::size_t i = 0; i < count; i += 8) {
-      std::uint64_t word;
-      std::memcpy(&word, block.data() + i, 8);
-      hash = (hash ^ word) * 0x100000001b3u;
-      hash ^= hash >> 29;
-    }
+    hash.add(block.data(), count);
     size += count;
   }
   if (in.bad()) return std::nullopt;
-  return hexadecimal(hash) + '-' + hexadecimal(size);
+  return hexadecimal(hash.value()) + '-' + hexadecimal(size);
 }
 
 std::string source_digest(const std::string& source, const std::string& digest) {

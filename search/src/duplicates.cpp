@@ -137,10 +137,8 @@ Duplicates find_duplicates(Database& database, const DuplicateOptions& options, 
   }
   std::unique_ptr<ApproximateSearch> graph;
   if (!options.graph.empty()) {
-    std::vector<std::int64_t> ids;
-    for (const Member& member : members) ids.push_back(member.id);
     try {
-      graph = open_approximate(search, ids, options.graph, control, result.note);
+      graph = open_approximate(search, members, options.graph, control, result.note);
     } catch (const Stopped&) {
       return result;
     }

@@ -146,7 +146,8 @@ expect 1 'not a store' "$rectilin" compare --from shapes.db -O no-page
 for i in $(seq 200); do echo "shape:blob?faces=5000&seed=$i"; done >many.txt
 for kind in measure pose 'index -d r'; do
   begin "$rectilin" ${kind%% *} many.txt -o busy.db ${kind#"${kind%% *}"} --threads 1
-  for _ in $(seq 200); do [ -s busy.db ] && break; sleep 0.02; done
+  for _ in $(seq 500); do [ -s busy.db ] && break; sleep 0.01; done
+  kill -STOP $pid || fail "$kind: the first writer was too quick to be stopped"  # so that it is at work, however quick
   "$rectilin" ${kind%% *} many.txt -o busy.db ${kind#"${kind%% *}"} >out2 2>err2
   [ $? -eq 1 ] && grep -q 'another program is writing to it' err2 || fail "one writer at a time: $kind"
   kill -KILL $pid; wait $pid 2>/dev/null; rm -f busy.db*

@@ -115,24 +115,29 @@ TEST_CASE("copies of one file do not shut out the rest, and stand in order") {
 }
 
 TEST_CASE("a shape and its variations can all be reached") {
-  // Each variation is nearer to the shape than to any other variation.
   Members members = some_members(4500);
   const Parts shape = family_parts(3'000'000);
-  std::int64_t id = 4500;
+  constexpr std::size_t kShape = 4500, kVariations = 1500;
+  std::int64_t id = kShape;
   members.add(shape, ++id);
-  for (std::uint64_t i = 0; i < 300; ++i) {
+  for (std::uint64_t i = 0; i < kVariations; ++i) {
     Random random(i);
     Parts parts = shape;
     for (auto& part : parts)
-      for (auto& byte : part) byte = static_cast<std::uint8_t>(byte + random.below(12));
+      for (auto& byte : part)
+        byte = static_cast<std::uint8_t>(std::clamp(byte + static_cast<int>(random.below(13)) - 6, 0, 255));
     members.add(parts, ++id);
   }
+  // What makes it hard: each variation is nearer to the shape than to any other variation.
+  for (std::size_t i = kShape + 1; i < members.search.size(); i += 50)
+    REQUIRE(members.search.nearest(members.search.parts_of(i), 2).back().member == kShape);
   ApproximateSearch graph(members.search, members.ids);
   REQUIRE(graph.build());
-  int reached = 0;
-  for (std::size_t i = 4500; i < 4801; ++i)
-    reached += graph.walk(members.search.parts_of(i), 1, 128).front() == Neighbour{i, 0.0};
-  CHECK(reached >= 295);
+  std::size_t reached = 0;
+  for (std::size_t i = kShape; i < members.search.size(); ++i)
+    reached += graph.walk(members.search.parts_of(i), 1, 512).front() == Neighbour{i, 0.0};
+  CAPTURE(reached);
+  CHECK(reached * 100 >= (kVariations + 1) * 95);  // by hnswlib's own rule 14 %
 }
 
 TEST_CASE("the graph is the same bytes each time, in one go or in parts, whatever the order of names") {

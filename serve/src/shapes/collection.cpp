@@ -42,10 +42,8 @@ Collection::Collection(search::Database database) : descriptor_(database.descrip
 }
 
 std::string Collection::use_graph(const std::filesystem::path& file, const LoopControl& control) {
-  std::vector<std::int64_t> ids;
-  for (const search::Member& member : members_) ids.push_back(member.id);
   std::string note;
-  graph_ = search::open_approximate(search_, ids, file, control, note);
+  graph_ = search::open_approximate(search_, members_, file, control, note);
   return note;
 }
 

@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "rectilin/base/batch.h"
+#include "rectilin/search/database.h"
 #include "rectilin/search/nearest.h"
 
 namespace rectilin::search {
@@ -81,6 +83,10 @@ std::filesystem::path graph_file(const std::filesystem::path& database);
 /// something was amiss: a damaged file, which is replaced, or one that cannot be written. Throws Stopped, with what was
 /// built so far in the file, and std::runtime_error if the file is of another kind, which is left as it is.
 std::unique_ptr<ApproximateSearch> open_approximate(const NearestSearch& search, const std::vector<std::int64_t>& ids,
+                                                    const std::filesystem::path& file, const LoopControl& control,
+                                                    std::string& note);
+/// The same for the members of a database in the order in which `search` has them.
+std::unique_ptr<ApproximateSearch> open_approximate(const NearestSearch& search, std::span<const Member> members,
                                                     const std::filesystem::path& file, const LoopControl& control,
                                                     std::string& note);
 
