@@ -77,8 +77,8 @@ class StoredComparison {
 
  private:
   static Json line_of(const corpus::Row& row) {
-    Json line = Json::parse(row.result);
-    const Json report = Json::parse(row.report.empty() ? "{}" : row.report);
+    Json line = parse_json(row.result);
+    const Json report = parse_json(row.report.empty() ? "{}" : row.report);
     if (report.contains("times")) laboratory::put_times(line, report["times"]);
     return line;
   }

@@ -32,7 +32,7 @@ void list(const Entries& entries, bool json, Capabilities capabilities) {
         parameters.push_back({{"name", p.name}, {"default", p.value}, {"accepts", p.accepts}, {"help", p.help}});
       Json line = {{"name", entry.name}, {"help", entry.help}, {"parameters", parameters}};
       if (!flags.empty()) line["capabilities"] = flags;
-      std::cout << line.dump() << '\n';
+      std::cout << to_text(line) << '\n';
       continue;
     }
     std::cout << entry.name << "\n    " << entry.help << '\n';

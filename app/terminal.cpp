@@ -146,7 +146,7 @@ std::string settings_table(const std::vector<Parameters::Description>& settings)
   std::string text;
   for (const auto& s : settings)
     text.append("      ")
-        .append(table.row({s.name, s.value.is_string() ? s.value.get<std::string>() : s.value.dump()}))
+        .append(table.row({s.name, s.value.is_string() ? s.value.get<std::string>() : to_text(s.value)}))
         .append("   " + s.help + " (" + s.accepts + ")\n");
   return text;
 }

@@ -79,9 +79,9 @@ function(rectilin_precompile target)
   target_precompile_headers(${target} REUSE_FROM ${owner})
 endfunction()
 
-# Code whose running time nobody notices is optimized less, so that it compiles a quarter faster.
+# Code whose running time nobody notices is optimized for debugging, so that it compiles in two thirds of the time.
 function(rectilin_cold target)
-  target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang>>:-O1>)
+  target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang>>:-Og>)
 endfunction()
 
 # With RECTILIN_UNITY the sources of a house are compiled as one, so that their headers are compiled only once. A folder

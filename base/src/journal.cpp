@@ -16,8 +16,8 @@ std::vector<Json> recover_journal(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     if (!in && errno != ENOENT) throw std::runtime_error(file.string() + ": " + system_reason(errno));
     for (std::string line; std::getline(in, line) && !in.eof();) {  // eof(): the line has no newline, so it was cut off
-      values.push_back(Json::parse(line, nullptr, false));
-      if (values.back().is_discarded())
+      values.push_back(parse_json_or_null(line));
+      if (values.back().is_null())
         throw std::runtime_error(file.string() + ":line " + std::to_string(values.size()) + ": not JSON");
       whole += line.size() + 1;
     }

@@ -21,8 +21,9 @@ std::string number(double x) {
 }
 
 Json value_of(std::string_view text) {
-  Json value = Json::parse(text, nullptr, /*allow_exceptions=*/false);
-  return value.is_primitive() && !value.is_discarded() ? value : Json(std::string(text));
+  if (text == "null") return Json();
+  Json value = parse_json_or_null(text);
+  return value.is_primitive() && !value.is_null() ? value : Json(std::string(text));
 }
 
 /// Is it a JSON number with a whole value inside [lower, upper]?
@@ -33,10 +34,6 @@ bool is_integer_within(const Json& value, double lower, double upper) {
 }
 
 }  // namespace
-
-std::string to_text(const Json& value, int indent) {
-  return value.dump(indent, ' ', false, Json::error_handler_t::replace);
-}
 
 Spec Spec::parse(std::string_view text) {
   const auto question = text.find('?');
@@ -128,7 +125,7 @@ Parameters& Parameters::vector3(std::string name, std::array<double, 3>& target,
   return custom(
       std::move(name), "three numbers x,y,z, " + number(lower) + " to " + number(upper),
       [&target, lower, upper](const Json& value) { return read_vector3(value, target, lower, upper); },
-      [&target] { return Json(Json(target[0]).dump() + "," + Json(target[1]).dump() + "," + Json(target[2]).dump()); },
+      [&target] { return Json(to_text(target[0]) + "," + to_text(target[1]) + "," + to_text(target[2])); },
       std::move(help));
 }
 

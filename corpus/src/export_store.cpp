@@ -76,7 +76,7 @@ void append_csv(std::string& out, const Statement& row, const Fields& fields) {
   for (const std::string_view name : fields.words) {
     out += ',';
     if (const std::string_view word = member_of(result, name); word.starts_with('"'))
-      append_cell(out, Json::parse(word).get<std::string>());
+      append_cell(out, parse_json(word).get<std::string>());
   }
   for (const std::string_view name : fields.numbers) {
     out += ',';

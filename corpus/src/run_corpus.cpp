@@ -66,7 +66,7 @@ class StoreFiller final : public JobHandler {
     PartialRow partial = known ? std::move(known.mapped()) : begin_row(job);
     Row& row = partial.row;
     if (answer.result.contains("times")) {
-      Json report = Json::parse(row.report);
+      Json report = parse_json(row.report);
       report["times"] = std::move(answer.result["times"]);
       row.report = to_text(report);
       answer.result.erase("times");

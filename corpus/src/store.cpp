@@ -158,7 +158,7 @@ Database& StoreAccess::database(Store& store) { return store.implementation_->da
 
 Task Store::task() const {
   Database& database = implementation_->database;
-  return {fact(database, "task"), Json::parse(fact(database, "settings"))};
+  return {fact(database, "task"), parse_json(fact(database, "settings"))};
 }
 
 std::vector<std::size_t> Store::begin_run(std::span<const NamedSource> meshes, const Shard& shard, bool retry) {
@@ -213,7 +213,7 @@ void Store::put(const Row& row) {
   s.bind(1, std::string_view(row.name)).bind(2, std::string_view(row.source)).bind(3, std::string_view(row.group));
   s.bind(4, static_cast<std::int64_t>(row.status)).bind(5, unless_empty(row.digest));
   if (!row.result.empty()) {
-    const Json result = Json::parse(row.result);
+    const Json result = parse_json(row.result);
     if (const auto faces = number(result, "faces")) s.bind(6, static_cast<std::int64_t>(*faces));
     s.bind(7, number(result, "area")).bind(8, number(result, "rectilinearity"));
     s.bind(9, number(result, "lower")).bind(10, number(result, "upper"));

@@ -133,7 +133,7 @@ int run_worker(int socket, const MakeWork& make_work) {
   Channel channel(socket);
   const auto setup = channel.receive();
   if (!setup || setup->kind != Kind::kSetup) return 2;
-  const Json json = Json::parse(setup->content);
+  const Json json = parse_json(setup->content);
   const auto seconds = json["seconds"].is_null() ? std::nullopt : std::optional(json["seconds"].get<double>());
   Worker worker(channel, make_work({json["task"], json["settings"]}, seconds),
                 json["share"] == true ? std::optional(Claims::open(socket + 1)) : std::nullopt);

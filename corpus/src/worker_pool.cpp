@@ -124,10 +124,10 @@ class WorkerPool {
     const Job job = worker.jobs.front();
     switch (message.kind) {
       case Kind::kRead:
-        if (!job.cancelled) handler_.read(job.index, Json::parse(message.content));
+        if (!job.cancelled) handler_.read(job.index, parse_json(message.content));
         return;
       case Kind::kAsk:
-        if (!job.cancelled && handler_.is_wanted(job.index, Json::parse(message.content))) {
+        if (!job.cancelled && handler_.is_wanted(job.index, parse_json(message.content))) {
           worker.process->channel().send(Kind::kGoOn, "");
         } else {
           worker.process->channel().send(Kind::kKnown, "");
@@ -136,7 +136,7 @@ class WorkerPool {
         return;
       case Kind::kResult: {
         const std::size_t text = message.content.find('\0');
-        Json json = Json::parse(message.content.substr(0, text));
+        Json json = parse_json(message.content.substr(0, text));
         if (!claims_ && !job.cancelled) handler_.read(job.index, json["read"]);
         const bool over = json["time_over"] == true;
         return finish(worker, {over ? RowStatus::kLimited : RowStatus::kDone, std::move(json["result"]),
@@ -204,7 +204,7 @@ class WorkerPool {
 
   std::string limit_text(const std::string& limit) const {
     if (limit == "seconds" && !options_.seconds) return "its time ran out";
-    if (limit == "seconds") return "more than " + Json(*options_.seconds).dump() + " seconds";
+    if (limit == "seconds") return "more than " + to_text(*options_.seconds) + " seconds";
     if (!options_.memory) return "not enough memory";
     return "more than " + std::to_string(*options_.memory) + " bytes of memory";
   }

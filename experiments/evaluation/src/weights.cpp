@@ -119,12 +119,12 @@ std::string read_weights(const std::filesystem::path& file) {
     throw ParameterError(file.string() + ": " + system_reason(error));
   std::string text;
   try {
-    const Json json = Json::parse(read_whole_file(file));
+    const Json json = parse_json(read_whole_file(file));
     for (const Json& term : json.at("terms")) {
       const double weight = term.at("weight").get<double>();
       if (!(weight >= 0)) throw ParameterError(file.string() + ": a weight is negative");
       if (weight > 0)
-        text += (text.empty() ? "" : "+") + Json(weight).dump() + "*" + term.at("descriptor").get<std::string>();
+        text += (text.empty() ? "" : "+") + to_text(weight) + "*" + term.at("descriptor").get<std::string>();
     }
   } catch (const Json::exception&) {
     throw ParameterError(file.string() + ": is no file of weights");

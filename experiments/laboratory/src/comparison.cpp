@@ -36,7 +36,7 @@ void store_plan(const Plan& plan, const fs::path& folder) {
   }
   Plan stored;
   try {
-    stored = plan_from_json(Json::parse(read_whole_file(file)));
+    stored = plan_from_json(parse_json(read_whole_file(file)));
   } catch (const Json::exception&) {
     throw ParameterError(file.string() + ": is not the plan of a comparison; choose another folder");
   }

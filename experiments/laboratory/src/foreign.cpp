@@ -181,7 +181,7 @@ std::size_t add_foreign_runs(const fs::path& folder, std::string_view text, cons
       throw ParameterError(name + ":line " + std::to_string(number) + ": " + reason);
     };
     try {
-      keep(reader.read(Json::parse(line)));
+      keep(reader.read(parse_json(line)));
       ++count;
     } catch (const Refused& refused) {
       refuse(refused.reason);

@@ -23,7 +23,7 @@ std::vector<std::string> split_list(const std::string& text) {
 }
 
 /// Is it UTF-8, so that it can be stored and read back?
-bool is_utf8(const std::string& text) { return Json::parse(to_text(Json(text))).get<std::string>() == text; }
+bool is_utf8(const std::string& text) { return parse_json(to_text(Json(text))).get<std::string>() == text; }
 
 }  // namespace
 

@@ -63,10 +63,8 @@ void record_start(const Plan& plan, const Registry& registry, const std::filesys
   std::filesystem::create_directories(folder);
   const std::filesystem::path file = folder / "provenance.json";
   Json starts = Json::array();
-  if (std::ifstream in(file); in) {
-    const Json earlier = Json::parse(in, nullptr, false);
-    if (earlier.is_object() && earlier.contains("starts")) starts = earlier["starts"];
-  }
+  const Json earlier = read_json_or_null(file);
+  if (earlier.is_object() && earlier.contains("starts")) starts = earlier["starts"];
   starts.push_back(provenance(command_line));
   Json optimizers = Json::array();
   for (const Entry& entry : plan.entries) {

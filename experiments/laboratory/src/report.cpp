@@ -130,11 +130,6 @@ PagePlots add_plots(const Results& results, const Summary& summary, Gallery& gal
   return figures;
 }
 
-Json read_json(const fs::path& file) {
-  std::ifstream in(file);
-  return Json::parse(in, nullptr, false);
-}
-
 }  // namespace
 
 report::PictureTroubles write_report(const fs::path& folder) { return write_report(folder, FolderLock(folder)); }
@@ -153,7 +148,7 @@ report::PictureTroubles write_report(const fs::path& folder, const FolderLock&) 
   const PagePlots figures = add_plots(results, summary, gallery);
   report::PictureTroubles troubles = gallery.draw_all();
   write_whole_file(folder / "index.html",
-                   comparison_page(results, summary, figures, read_json(folder / "provenance.json"), folder));
+                   comparison_page(results, summary, figures, read_json_or_null(folder / "provenance.json"), folder));
   return troubles;
 }
 

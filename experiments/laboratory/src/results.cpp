@@ -127,7 +127,7 @@ Results load_results(const fs::path& folder) {
   if (fs::status(plan, unknown).type() == fs::file_type::not_found)
     throw std::runtime_error(folder.string() + ": holds no comparison (there is no plan.json)");
   try {
-    results.plan = plan_from_json(Json::parse(read_whole_file(plan)));
+    results.plan = plan_from_json(parse_json(read_whole_file(plan)));
   } catch (const Json::exception&) {
     throw std::runtime_error(plan.string() + ": is not the plan of a comparison");
   }

@@ -70,8 +70,7 @@ std::string introduction() {
 
 /// What an experiment left in the folder; nothing if it is not there.
 Json stored(const std::string& name, const fs::path& folder) {
-  std::ifstream in(folder / (name + ".json"));
-  Json all = Json::parse(in, nullptr, false);
+  Json all = read_json_or_null(folder / (name + ".json"));
   return all.is_object() && all.value("experiment", "") == name ? all : Json();
 }
 

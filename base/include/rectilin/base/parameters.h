@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "rectilin/base/json_fwd.h"
+#include "rectilin/base/json_text.h"
 #include "rectilin/base/parameter_error.h"
 
 namespace rectilin {

@@ -38,7 +38,7 @@ std::string cell(const std::string& text) {
 const std::vector<Claim>& all_claims() {
   static const std::vector<Claim> all = [] {
     std::vector<Claim> list;
-    for (const Json& entry : Json::parse(claims::kLedger)) list.push_back(claim_from_json(entry));
+    for (const Json& entry : parse_json(claims::kLedger)) list.push_back(claim_from_json(entry));
     return list;
   }();
   return all;
@@ -51,7 +51,7 @@ std::string claims_markdown() {
          "| --- | --- | --- | --- | --- | --- | --- |\n";
   for (const Claim& claim : all_claims()) {
     out << "| `" << claim.id << "` | " << cell(claim.source) << " | " << cell(claim.statement) << " | "
-        << cell(claim.test) << " | " << Json(claim.tolerance).dump() << ": " << cell(claim.why) << " | "
+        << cell(claim.test) << " | " << to_text(claim.tolerance) << ": " << cell(claim.why) << " | "
         << (claim.should_hold ? "holds" : "fails") << (claim.remark.empty() ? "" : ". ") << cell(claim.remark) << " | `"
         << claim.code << "` |\n";
   }

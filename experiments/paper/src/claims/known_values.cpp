@@ -18,11 +18,6 @@ Finding compare(const std::string& source, double expected) {
           "R = " + std::to_string(best.least_r()) + ", expected " + std::to_string(expected)};
 }
 
-std::string number(double x) {
-  Json json = x;  // the shortest text that reads back as x
-  return json.dump();
-}
-
 }  // namespace
 
 std::vector<Finding> check_pyramid(Random random) {
@@ -41,10 +36,10 @@ std::vector<Finding> check_stepped_pyramids(Random random) {
 std::vector<Finding> check_closed_forms(Random) {
   std::vector<Finding> findings;
   for (const double height : {0.01, 0.1, 0.3, 0.5, 0.7071, 1.0, 2.0, 5.0, 100.0})
-    findings.push_back(compare("shape:pyramid?height=" + number(height), pyramid_rectilinearity(1, height)));
+    findings.push_back(compare("shape:pyramid?height=" + to_text(height), pyramid_rectilinearity(1, height)));
   for (const int sides : {3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 17})
     for (const double height : {0.1, 1.0, 10.0}) {
-      const std::string source = "shape:prism?sides=" + std::to_string(sides) + "&height=" + number(height);
+      const std::string source = "shape:prism?sides=" + std::to_string(sides) + "&height=" + to_text(height);
       findings.push_back(compare(source, prism_rectilinearity(sides, 0.5, height)));
     }
   return findings;

@@ -18,8 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-std::string number(double x) { return Json(x).dump(); }
-
 /// A collection of built-in shapes: the models of a class have different proportions and poses.
 retrieval::Collection built_in(int models, std::uint64_t seed) {
   const char* const kKinds[] = {"box", "pyramid", "stairs", "lshape", "torus", "ellipsoid", "cylinder"};
@@ -31,11 +29,11 @@ retrieval::Collection built_in(int models, std::uint64_t seed) {
     for (int i = 0; i < models; ++i) {
       const std::string turn = "rotate=random&seed=" + std::to_string(random.below(1'000'000));
       std::string own;
-      if (kind == "torus") own = "minor=" + number(random.uniform(0.3, 0.5));
+      if (kind == "torus") own = "minor=" + to_text(random.uniform(0.3, 0.5));
       else if (kind == "ellipsoid")
-        own = "a=" + number(random.uniform(1.5, 2.5)) + "&b=1&c=" + number(random.uniform(0.6, 1));
+        own = "a=" + to_text(random.uniform(1.5, 2.5)) + "&b=1&c=" + to_text(random.uniform(0.6, 1));
       else if (kind == "cylinder") own = "sides=" + std::to_string(20 + random.below(40));
-      else own = "x=" + number(random.uniform(1.2, 2)) + "&y=" + number(random.uniform(0.8, 1.2));
+      else own = "x=" + to_text(random.uniform(1.2, 2)) + "&y=" + to_text(random.uniform(0.8, 1.2));
       std::string spec = "shape:" + kind + "?" + own + "&" + turn;
       try {
         load_mesh(spec);
