@@ -10,9 +10,9 @@ namespace rectilin::retrieval {
 namespace {
 
 /// Words of a text, and in which line the last one stands.
-class Words {
+class WordReader {
  public:
-  Words(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
+  WordReader(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
 
   bool at_end() {
     while (at_ < text_.size() && is_space(text_[at_])) line_ += text_[at_++] == '\n';
@@ -67,7 +67,7 @@ Classification Classification::subset(const std::vector<bool>& keep) const {
 }
 
 Classification parse_classification(std::string_view text, const std::string& name) {
-  Words words(text, name);
+  WordReader words(text, name);
   if (words.next("'PSB'") != "PSB") words.fail("not a classification: it does not begin with 'PSB 1'");
   if (words.next("the version") != "1") words.fail("only version 1 is known");
   const std::size_t classes = words.count("the number of classes");
