@@ -2,6 +2,7 @@
 #include "rectilin/measure/verify.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -22,7 +23,6 @@ using verification::Floors;
 using verification::least_on;
 using verification::Part;
 
-using PlainJson = nlohmann::json;  // the project's type also keeps the order of keys, which is not needed here
 using Matrix3 = Eigen::Matrix3d;
 using Extended3 = Eigen::Matrix<long double, 3, 1>;
 
@@ -33,6 +33,10 @@ using Extended3 = Eigen::Matrix<long double, 3, 1>;
 constexpr std::size_t kSummedBlock = 1024, kMostTerms = 64;
 constexpr double kAllowance = 1e-12;
 static_assert(3 * (kSummedBlock + 2 * kMostTerms + 64) * 0x1p-53 < kAllowance / 2);
+
+/// A certificate has two dozen words. A key is looked for among all earlier ones of its object when it is read, so a
+/// million of them would take hours.
+constexpr std::ptrdiff_t kMostQuotes = 1000;
 static_assert(std::numeric_limits<long double>::digits >= 64, "sums over blocks need more than double precision");
 
 constexpr double kHalfEdge = 0.41421356237309510;  // of the zone's cube, at least sqrt(2) - 1
@@ -89,19 +93,19 @@ bool holds(const Matrix3& g, double bound, const Part& part, int halvings) {
   return holds(g, bound, part.half(axis, false), halvings - 1) && holds(g, bound, part.half(axis, true), halvings - 1);
 }
 
-double number(const PlainJson& json) {
+double number(const Json& json) {
   if (!json.is_number()) refuse("a number is missing");
   const double x = json.get<double>();
   if (!std::isfinite(x)) refuse("a number is not finite");
   return x;
 }
 
-Eigen::Vector3d vector(const PlainJson& json) {
+Eigen::Vector3d vector(const Json& json) {
   if (!json.is_array() || json.size() != 3) refuse("three numbers are missing");
   return {number(json[0]), number(json[1]), number(json[2])};
 }
 
-Matrix3 matrix(const PlainJson& json, const std::string& name) {
+Matrix3 matrix(const Json& json, const std::string& name) {
   if (!json.is_array() || json.size() != 3) refuse(name + " is not three rows");
   Matrix3 rows;
   for (int k = 0; k < 3; ++k) rows.row(k) = vector(json[k]).transpose();
@@ -109,7 +113,7 @@ Matrix3 matrix(const PlainJson& json, const std::string& name) {
 }
 
 /// The mixture of cuts that a leaf states for one axis.
-Eigen::Vector3d mixture(const PlainJson& terms, const std::vector<Eigen::Vector3d>& cuts, const std::string& where) {
+Eigen::Vector3d mixture(const Json& terms, const std::vector<Eigen::Vector3d>& cuts, const std::string& where) {
   if (!terms.is_array() || terms.size() % 2 != 0 || terms.empty()) refuse(where + ": an axis is not a list of pairs");
   if (terms.size() > 2 * kMostTerms)
     refuse(where + ": an axis mixes more than " + std::to_string(kMostTerms) + " cuts");
@@ -128,7 +132,7 @@ Eigen::Vector3d mixture(const PlainJson& terms, const std::vector<Eigen::Vector3
 }
 
 /// Checks a leaf with floors: three numbers that add up to `enough`, each a lower bound on what its axis sweeps.
-void check_floors(const PlainJson& json, const Part& part, double enough, Floors& floors, const std::string& where) {
+void check_floors(const Json& json, const Part& part, double enough, Floors& floors, const std::string& where) {
   const Eigen::Vector3d stated = vector(json);
   if (!(stated.sum() >= enough)) refuse(where + ": its floors do not add up to the bound");
   switch (floors.check({stated[0], stated[1], stated[2]}, part, kMostHalvings)) {
@@ -143,7 +147,7 @@ void check_floors(const PlainJson& json, const Part& part, double enough, Floors
 
 /// Walks through the tree with an explicit stack instead of recursion. Every box is halved, checked or outside the
 /// zone, so when the stack is empty the leaves cover the zone.
-std::size_t check_leaves(const std::string& tree, const PlainJson& leaves, const PlainJson& stated_floors,
+std::size_t check_leaves(const std::string& tree, const Json& leaves, const Json& stated_floors,
                          const std::vector<Eigen::Vector3d>& cuts, Floors& floors, double trace, double lower) {
   std::vector<Part> open = {{Eigen::Vector3d::Constant(-kHalfEdge), Eigen::Vector3d::Constant(kHalfEdge)}};
   std::size_t leaf = 0, floor = 0;
@@ -159,7 +163,7 @@ std::size_t check_leaves(const std::string& tree, const PlainJson& leaves, const
     } else if (node == 'l') {
       const std::string where = "leaf " + std::to_string(leaf);
       if (leaf >= leaves.size()) refuse(where + " is missing");
-      const PlainJson& axes = leaves[leaf++];
+      const Json& axes = leaves[leaf++];
       if (!axes.is_array() || axes.size() != 3) refuse(where + ": three axes are missing");
       Matrix3 g;
       for (int k = 0; k < 3; ++k) g.row(k) = mixture(axes[k], cuts, where).transpose();
@@ -188,7 +192,7 @@ double value_at(const std::vector<Face>& faces, const Matrix3& r) {
   return static_cast<double>(sum) + 1e-11;  // the nearest true rotation may differ by the tolerance above
 }
 
-Verdict check(const PlainJson& json, const MeshView& mesh) {
+Verdict check(const Json& json, const MeshView& mesh) {
   if (!json.is_object() || json.value("format", "") != "rectilin certificate") refuse("this is not a certificate");
   if (json.value("version", 0) != 1) refuse("the certificate's version is not 1");
   for (const char* key : {"mesh", "rotation", "value", "lower", "tree", "directions", "leaves"})
@@ -198,7 +202,7 @@ Verdict check(const PlainJson& json, const MeshView& mesh) {
 
   const Matrix3 rotation = matrix(json["rotation"], "the rotation");
   // A proof with cuts alone has neither of these.
-  const PlainJson stated_floors = json.value("floors", PlainJson::array());
+  const Json stated_floors = json.value("floors", Json::array());
   const Matrix3 form = json.contains("form") ? matrix(json["form"], "the form") : Matrix3::Zero();
   if (form != form.transpose() || form.cwiseAbs().maxCoeff() > 1) refuse("the form is not symmetric and small");
   const double value = value_at(faces, rotation), lower = number(json["lower"]);
@@ -215,7 +219,7 @@ Verdict check(const PlainJson& json, const MeshView& mesh) {
     if (lower > 1) refuse("the bound exceeds the general one, which is all that is claimed");
   } else {
     std::vector<Eigen::Vector3d> cuts;
-    for (const PlainJson& direction : json["directions"]) cuts.push_back(cut(faces, vector(direction)));
+    for (const Json& direction : json["directions"]) cuts.push_back(cut(faces, vector(direction)));
     verdict.cuts = cuts.size();
     Floors floors(faces, form);
     verdict.leaves = check_leaves(tree, json["leaves"], stated_floors, cuts, floors, form.trace(), lower);
@@ -245,10 +249,11 @@ std::string mesh_digest(const MeshView& mesh) {
 Verdict verify_certificate(std::string_view text, const MeshView& mesh) {
   Verdict verdict;
   try {
-    return check(PlainJson::parse(text), mesh);
+    if (std::ranges::count(text, '"') > kMostQuotes) refuse("this is not a certificate");
+    return check(parse_json(text), mesh);
   } catch (const Refusal& refusal) {
     verdict.reason = refusal.reason;
-  } catch (const PlainJson::exception&) {
+  } catch (const Json::exception&) {
     verdict.reason = "the certificate is truncated or not JSON of the right shape";
   }
   return verdict;

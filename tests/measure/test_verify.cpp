@@ -185,6 +185,14 @@ TEST_CASE("verify refuses sums made to round upwards", "[verify]") {
   require_refused(proof, mesh, "mixes more than");
 }
 
+TEST_CASE("verify refuses a certificate of many keys before it reads them", "[verify]") {
+  std::string text = R"({"format":"rectilin certificate")";
+  for (int i = 0; i < 10'000; ++i) text += ",\"" + std::to_string(i) + "\":0";
+  const Verdict verdict = verify_certificate(text + "}", mesh_of("box"));
+  CHECK_FALSE(verdict.accepted);
+  CHECK(verdict.reason == "this is not a certificate");
+}
+
 TEST_CASE("verify refuses every truncation without a crash", "[verify]") {
   const Mesh mesh = mesh_of("pyramid");
   const std::string text = prove(mesh).dump();
