@@ -1,6 +1,5 @@
 #include "mirror.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -8,6 +7,7 @@
 #include <numbers>
 
 #include "frames.h"
+#include "rectilin/base/symmetric.h"
 
 namespace rectilin::pose {
 namespace {
@@ -102,7 +102,7 @@ MirrorPlane MirrorDefect::polished(MirrorPlane plane) const {
       squares += weight * row * row.transpose();
       right -= weight * apart * row;
     }
-    const Vector3 step = squares.ldlt().solve(right);
+    const Vector3 step = solve_symmetric(squares, right);
     if (!step.allFinite()) return start;
     plane.normal = (plane.normal + step[0] * first + step[1] * second).normalized();
     plane.offset += step[2];

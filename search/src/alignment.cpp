@@ -1,6 +1,5 @@
 #include "alignment.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -114,7 +113,7 @@ class Step {
   /// Returns how much it moved the fit; 0 if it cannot be moved.
   double apply(Fit& fit) {
     normal_.diagonal().array() += 1e-6 * normal_.trace() + 1e-300;
-    const Eigen::Matrix<double, 7, 1> step = normal_.ldlt().solve(right_);
+    const Eigen::Matrix<double, 7, 1> step = solve_symmetric(normal_, right_);
     if (!step.allFinite()) return 0;
     const double size = 1 + std::clamp(step(6), -0.1, 0.1);
     const Eigen::Matrix3d turn = rotation_from_vector(step.head<3>()).matrix() * size;

@@ -28,15 +28,16 @@ bool is_within(const std::string& source, const std::string& top) {
 }
 
 std::vector<FoundFile> find_files(const std::vector<std::string>& sources) {
-  std::vector<FoundFile> found;
+  std::multimap<std::string, std::string> named;  // sources by name
   std::set<std::string> seen;
-  for (NamedSource& source : expand_sources(sources)) {
-    FoundFile f;
-    f.member.name = std::move(source.name);
-    f.member.source = from_root(source.source);
-    if (seen.insert(f.member.source).second) found.push_back(std::move(f));
+  for (NamedSource& source : expand_sources(sources))
+    if (std::string path = from_root(source.source); seen.insert(path).second)
+      named.emplace(std::move(source.name), std::move(path));
+  std::vector<FoundFile> found(named.size());
+  for (std::size_t i = 0; const auto& [name, source] : named) {
+    found[i].member.name = name;
+    found[i++].member.source = source;
   }
-  std::ranges::stable_sort(found, {}, [](const FoundFile& f) -> const std::string& { return f.member.name; });
   for (std::size_t i = 1; i < found.size(); ++i)  // two lists may use one name
     if (found[i].member.name == found[i - 1].member.name) found[i].member.name = found[i].member.source;
   return found;
