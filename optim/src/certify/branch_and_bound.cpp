@@ -58,7 +58,7 @@ BranchAndBound::BranchAndBound(Evaluator& evaluator, const CertifyOptions& optio
       generators_(evaluator.objective().generators()),
       facts_(evaluator.objective().cut_bounds()),
       allowance_(rounding_allowance(facts_)),
-      bounder_(table_) {}
+      bounder_(table_, options.bundle) {}
 
 CertifyResult BranchAndBound::run() {
   Cell zone;
@@ -136,7 +136,7 @@ bool BranchAndBound::evaluate_round() {
   evaluator_.cuts(rotations, cuts);
   if (cuts.back().value == std::numeric_limits<double>::infinity()) return false;
   for (std::size_t i = 0; i < cuts.size(); ++i) {
-    for (int k = 0; k < 3; ++k) table_.push_back(cuts[i].gradient.row(k).transpose());
+    table_.add(rotations[i], cuts[i]);
     if (proof_) proof_->add_cuts(rotations[i]);
   }
   improve_incumbent(rotations, cuts, before);
@@ -278,14 +278,11 @@ void BranchAndBound::settle(Cell& cell, const Reason& reason) {
 void BranchAndBound::settle_open_cells() {
   double least = least_settled_;
   while (!heap_.empty()) {
-    Cell cell = heap_.pop();
-    cell.bound =
-        -std::numeric_limits<double>::infinity();  // only what these cuts prove on this cell counts, nothing inherited
-    if (cell.bundles[0].size == 0) return;         // the run was stopped before the first cuts
-    const std::array<Cell::Bundle, 3> bundles = cell.bundles;  // raise() may reorder them
-    const PerCut<double> weight = bounder_.raise(cell, enough_);
-    proof_->set_leaf(cell.node, bundles, weight);
-    least = std::min(least, cell.bound);
+    const Cell cell = heap_.pop();
+    if (cell.bundles[0].size == 0) return;                     // the run was stopped before the first cuts
+    const Bounder::Bound bound = bounder_.mix(cell, enough_);  // what these cuts prove on this cell, nothing inherited
+    proof_->set_leaf(cell.node, cell.bundles, bound.weight);
+    least = std::min(least, bound.value);
   }
   proof_->set_bound(least - allowance_);
 }
