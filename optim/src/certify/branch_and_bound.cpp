@@ -24,7 +24,7 @@ constexpr std::uint64_t kCellsBeforeFloors = 5000;  // by then the incumbent sho
 constexpr double kProofMargin = 4e-12;  // floors in proofs are lowered by this: a checker sums in another order
 constexpr double kProofWider = 0.01;    // and sweeps widened by this: a checker may find them a little larger
 // Floors cost as much as this many cells, fixed and for each generator.
-constexpr double kManyCells = 1e5, kCellsPerGenerator = 20;
+constexpr double kManyCells = 4e4, kCellsPerGenerator = 8;
 
 /// Two neighbouring numbers between which the merit, which falls as the value grows, passes `target`.
 struct Passage {
@@ -177,14 +177,14 @@ void BranchAndBound::update_balls() {
 
 /// Bounds of h on the sphere pay off where the whole landscape is flat. The mean of the objective over all rotations is
 /// 3/2 of the sum of the generators' lengths (the paper's eq. 24). If the best value is a fraction d below that (or if
-/// the gap is d, whichever is larger), about 6.5 d^(-3/2) cells are needed: that many small balls, in each of which the
+/// the gap is d, whichever is larger), about 2.7 d^(-3/2) cells are needed: that many small balls, in each of which the
 /// curvature of a cell costs d, fill the zone. Measured on meshes with d from 0.00005 to 0.03.
 bool BranchAndBound::is_flat() const {
   double mean = 0;
   for (std::size_t i = 0; i < generators_.size(); ++i) mean += 1.5 * generators_[i].norm();
   const double value = evaluator_.incumbent().value;
   const double depth = std::max(mean - value, value - cutoff_) / mean;
-  const double cells = 6.5 * std::pow(depth, -1.5);
+  const double cells = 2.7 * std::pow(depth, -1.5);
   return cells > std::max(kManyCells, kCellsPerGenerator * static_cast<double>(generators_.size()));
 }
 
