@@ -6,9 +6,8 @@
 namespace rectilin::certification {
 namespace {
 
-constexpr int kMostLoans = 2;  // how often cuts are borrowed for one cell
-// Borrowed cuts have to raise the model by this fraction of what the bound lacks, all three and each.
-constexpr double kLeastGain = 0.1, kLeastGainOfOne = 0.01;
+constexpr int kMostLoans = 2;        // how often cuts are borrowed for one cell
+constexpr double kLeastGain = 0.03;  // a borrowed cut has to raise the model by this fraction of what the bound lacks
 
 }  // namespace
 
@@ -69,10 +68,10 @@ bool Bounder::borrow(Cell& cell, const Corners& corners, const Mixture& mixture,
     model += found[k].value;
   }
   const double lacking = enough - mixture.bound;
-  if (model < enough || !(gain[0] + gain[1] + gain[2] > kLeastGain * lacking)) return false;
+  if (model < enough) return false;
   put_useful_first(cell, mixture.strategies);
   for (int k = 0; k < 3; ++k)
-    if (gain[k] > kLeastGainOfOne * lacking) cell.bundles[k].add(found[k].row, capacity_);
+    if (gain[k] > kLeastGain * lacking) cell.bundles[k].add(found[k].row, capacity_);
   return true;
 }
 
