@@ -24,7 +24,7 @@ constexpr std::uint64_t kCellsBeforeFloors = 5000;  // by then the incumbent sho
 constexpr double kProofMargin = 4e-12;  // floors in proofs are lowered by this: a checker sums in another order
 constexpr double kProofWider = 0.01;    // and sweeps widened by this: a checker may find them a little larger
 // Floors cost as much as this many cells, fixed and for each generator.
-constexpr double kManyCells = 1e5, kCellsPerGenerator = 20;
+constexpr double kManyCells = 4e4, kCellsPerGenerator = 8;
 
 /// Two neighbouring numbers between which the merit, which falls as the value grows, passes `target`.
 struct Passage {
@@ -58,7 +58,7 @@ BranchAndBound::BranchAndBound(Evaluator& evaluator, const CertifyOptions& optio
       generators_(evaluator.objective().generators()),
       facts_(evaluator.objective().cut_bounds()),
       allowance_(rounding_allowance(facts_)),
-      bounder_(table_) {}
+      bounder_(table_, options.bundle) {}
 
 CertifyResult BranchAndBound::run() {
   Cell zone;
@@ -136,7 +136,7 @@ bool BranchAndBound::evaluate_round() {
   evaluator_.cuts(rotations, cuts);
   if (cuts.back().value == std::numeric_limits<double>::infinity()) return false;
   for (std::size_t i = 0; i < cuts.size(); ++i) {
-    for (int k = 0; k < 3; ++k) table_.push_back(cuts[i].gradient.row(k).transpose());
+    table_.add(rotations[i], cuts[i]);
     if (proof_) proof_->add_cuts(rotations[i]);
   }
   improve_incumbent(rotations, cuts, before);
@@ -177,14 +177,14 @@ void BranchAndBound::update_balls() {
 
 /// Bounds of h on the sphere pay off where the whole landscape is flat. The mean of the objective over all rotations is
 /// 3/2 of the sum of the generators' lengths (the paper's eq. 24). If the best value is a fraction d below that (or if
-/// the gap is d, whichever is larger), about 6.5 d^(-3/2) cells are needed: that many small balls, in each of which the
+/// the gap is d, whichever is larger), about 2.7 d^(-3/2) cells are needed: that many small balls, in each of which the
 /// curvature of a cell costs d, fill the zone. Measured on meshes with d from 0.00005 to 0.03.
 bool BranchAndBound::is_flat() const {
   double mean = 0;
   for (std::size_t i = 0; i < generators_.size(); ++i) mean += 1.5 * generators_[i].norm();
   const double value = evaluator_.incumbent().value;
   const double depth = std::max(mean - value, value - cutoff_) / mean;
-  const double cells = 6.5 * std::pow(depth, -1.5);
+  const double cells = 2.7 * std::pow(depth, -1.5);
   return cells > std::max(kManyCells, kCellsPerGenerator * static_cast<double>(generators_.size()));
 }
 
@@ -278,14 +278,11 @@ void BranchAndBound::settle(Cell& cell, const Reason& reason) {
 void BranchAndBound::settle_open_cells() {
   double least = least_settled_;
   while (!heap_.empty()) {
-    Cell cell = heap_.pop();
-    cell.bound =
-        -std::numeric_limits<double>::infinity();  // only what these cuts prove on this cell counts, nothing inherited
-    if (cell.bundles[0].size == 0) return;         // the run was stopped before the first cuts
-    const std::array<Cell::Bundle, 3> bundles = cell.bundles;  // raise() may reorder them
-    const PerCut<double> weight = bounder_.raise(cell, enough_);
-    proof_->set_leaf(cell.node, bundles, weight);
-    least = std::min(least, cell.bound);
+    const Cell cell = heap_.pop();
+    if (cell.bundles[0].size == 0) return;                     // the run was stopped before the first cuts
+    const Bounder::Bound bound = bounder_.mix(cell, enough_);  // what these cuts prove on this cell, nothing inherited
+    proof_->set_leaf(cell.node, cell.bundles, bound.weight);
+    least = std::min(least, bound.value);
   }
   proof_->set_bound(least - allowance_);
 }

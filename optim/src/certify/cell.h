@@ -3,15 +3,10 @@
 
 #include <cstdint>
 #include <limits>
-#include <vector>
 
 #include "certify/box.h"
 
 namespace rectilin::certification {
-
-/// The rows of all cuts in the order in which they were taken. A row is a linear lower bound of h everywhere, so each
-/// can be used for any axis.
-using CutTable = std::vector<Eigen::Vector3d>;
 
 struct Cell {
   static constexpr int kMaxBundle = 8;

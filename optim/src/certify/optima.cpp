@@ -28,7 +28,7 @@ class Search {
         options_(options),
         threshold_(threshold),
         enough_(threshold + rounding_allowance(evaluator.objective().cut_bounds())),
-        bounder_(table_) {}
+        bounder_(table_, options.bundle) {}
 
   std::vector<Optimum> run() {
     Candidate zone;
@@ -66,8 +66,7 @@ class Search {
     std::vector<Cut> cuts(rotations.size());
     evaluator_.cuts(rotations, cuts);
     const std::size_t first = table_.size();
-    for (const Cut& cut : cuts)
-      for (int k = 0; k < 3; ++k) table_.push_back(cut.gradient.row(k).transpose());
+    for (std::size_t i = 0; i < cuts.size(); ++i) table_.add(rotations[i], cuts[i]);
     tbb::parallel_for(std::size_t{0}, owners.size(), [&](std::size_t j) {
       Cell& cell = open_[owners[j]].cell;
       for (std::size_t k = 0; k < 3; ++k)

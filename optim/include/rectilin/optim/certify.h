@@ -47,7 +47,7 @@ struct CertifyOptions {
   double seconds = 0;      ///< stop after this time; 0: no limit
   int batch = 32;      ///< least number of boxes in a round, which has up to 16 times as many; the course of the search
                        ///< depends on it, but not on the number of threads
-  int bundle = 6;      ///< cuts kept for each axis of a box
+  int bundle = 3;      ///< cuts kept for each axis of a box
   int descent = 15;    ///< steps of the local search from each better rotation that is found
   bool balls = true;   ///< use balls around the incumbent in which nothing is better (needs generators)
   bool floors = true;  ///< where boxes get too many, bound h where their axes point to (needs generators)
