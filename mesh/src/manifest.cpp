@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "io/text.h"
 #include "rectilin/base/whole_file.h"
 
 namespace rectilin {
@@ -127,7 +128,7 @@ std::vector<NamedSource> read_manifest(const std::string& file) {
   if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
     fail(file, 1 + static_cast<std::size_t>(std::ranges::count(text.substr(0, nul), '\n')),
          "a NUL character in a list");
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  text = without_byte_order_mark(text);
   auto entries = fs::path(file).extension() == ".csv" ? from_csv(text, file) : from_text(text, file);
   const fs::path folder = fs::path(file).parent_path();
   for (NamedSource& entry : entries) {

@@ -207,11 +207,10 @@ std::vector<std::string> expand_folders(const std::vector<std::string>& sources)
 }
 
 std::vector<std::string> sources_in_list(std::string_view list, const std::string& name) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (is_surely_mesh(list)) throw MeshError(name + ": a mesh, not a list of files; /dev/stdin is its name");
   if (list.starts_with("\xFF\xFE") || list.starts_with("\xFE\xFF"))
     throw MeshError(name + ": a list in UTF-16 is not supported, only UTF-8");
-  if (list.starts_with(kByteOrderMark)) list.remove_prefix(kByteOrderMark.size());
+  list = without_byte_order_mark(list);
   const bool ended_by_nul = list.find('\0') != std::string_view::npos;
   const std::vector<std::string> items = split(list, ended_by_nul ? '\0' : '\n');
   if (ended_by_nul) {

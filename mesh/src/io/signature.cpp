@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "io/text.h"
+
 namespace rectilin {
 namespace {
 
@@ -82,7 +84,7 @@ std::string_view foreign_kind(std::string_view bytes) {
   if (is_utf16_without_mark(bytes)) return "UTF-16 text, which is not supported";
   for (const Signature& s : kBinary)
     if (bytes.starts_with(s.beginning)) return s.kind;
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  bytes = without_byte_order_mark(bytes);
   bytes.remove_prefix(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
   for (const Signature& s : kText)
     if (begins_with(bytes, s.beginning)) return s.kind;

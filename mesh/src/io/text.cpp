@@ -10,8 +10,6 @@
 namespace rectilin {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
 /// What a character is to a reader of words. One look in a table a character: files are mostly such looks.
 enum class Kind : unsigned char { kInWord, kBlank, kLineEnd, kHash };
 
@@ -92,9 +90,14 @@ bool parse_integer(std::string_view word, std::int64_t& value) {
   return result.ec == std::errc() && result.ptr == end;
 }
 
+std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+}
+
 LineReader::LineReader(std::string_view text, std::string_view name, Continuation continuation)
     : text_(text), name_(name), continuation_(continuation) {
-  if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) position_ = kByteOrderMark.size();
+  position_ = text.size() - without_byte_order_mark(text).size();
 }
 
 LineReader LineReader::within(std::string_view text) const {

@@ -70,6 +70,9 @@ class LineReader {
   bool started_ = false;
 };
 
+/// The text behind the mark that some programs write in front of UTF-8.
+std::string_view without_byte_order_mark(std::string_view text);
+
 /// A word in quotes as fit for a one-line error: shortened, without control characters.
 std::string quoted(std::string_view word);
 
