@@ -33,11 +33,11 @@ using Extended3 = Eigen::Matrix<long double, 3, 1>;
 constexpr std::size_t kSummedBlock = 1024, kMostTerms = 64;
 constexpr double kAllowance = 1e-12;
 static_assert(3 * (kSummedBlock + 2 * kMostTerms + 64) * 0x1p-53 < kAllowance / 2);
-
-/// A certificate has two dozen words. A key is looked for among all earlier ones of its object when it is read, so a
-/// million of them would take hours.
-constexpr std::ptrdiff_t kMostQuotes = 1000;
 static_assert(std::numeric_limits<long double>::digits >= 64, "sums over blocks need more than double precision");
+
+/// A certificate has two dozen words. A key is looked for among all earlier ones of its object when it is read:
+/// 100,000 of them take 8 seconds, and the time grows with the square.
+constexpr std::ptrdiff_t kMostQuotes = 1000;
 
 constexpr double kHalfEdge = 0.41421356237309510;  // of the zone's cube, at least sqrt(2) - 1
 constexpr int kMostHalvings = 12;                  // how often a leaf may be halved until its bound shows

@@ -12,6 +12,8 @@ done
 d='gsmd?views=6+0.5*r'
 expect 0 'shapes.db: 12 added, 0 changed' "$rectilin" index meshes -o shapes.db -d "$d"
 expect 0 '0 added, .* 12 unchanged, 0 failed' "$rectilin" index meshes -o shapes.db -d "$d"
+# A file is one shape, however often and by whatever path it is named.
+expect 0 'again.db: 12 added, 0 changed, 0 moved, 0 copies' "$rectilin" index meshes ./meshes/more "$PWD/meshes/box1.off" -o again.db -d r
 
 # A member finds its like first, a mesh from outside finds itself, whatever its file and position.
 expect 0 'torus' "$rectilin" search shapes.db --like meshes/torus2.stl -n 3

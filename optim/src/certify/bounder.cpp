@@ -67,8 +67,8 @@ bool Bounder::borrow(Cell& cell, const Corners& corners, const Mixture& mixture,
     gain[k] = found[k].value - before;
     model += found[k].value;
   }
-  const double lacking = enough - mixture.bound;
   if (model < enough) return false;
+  const double lacking = enough - mixture.bound;
   put_useful_first(cell, mixture.strategies);
   for (int k = 0; k < 3; ++k)
     if (gain[k] > kLeastGain * lacking) cell.bundles[k].add(found[k].row, capacity_);

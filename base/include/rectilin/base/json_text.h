@@ -10,8 +10,8 @@
 
 namespace rectilin {
 
-/// The value as text: on one line, or indented by `indent` spaces. Bytes that are not UTF-8, which file names may
-/// contain, are replaced.
+/// The value as text: on one line, or indented by `indent` spaces. Numbers read back as they were. Bytes that are not
+/// UTF-8, which file names may contain, are replaced.
 std::string to_text(const Json& value, int indent = -1);
 
 /// Throws Json::parse_error, whose message says where, if the text is not one JSON value.
