@@ -51,8 +51,7 @@ class BranchAndBound {
 
   /// A cell of the round, and what becomes of it.
   struct Slot {
-    enum class State { kAgain, kDone, kHalved };
-    State state = State::kAgain;
+    bool done = false;  // otherwise it was halved
     Cell cell;
     std::optional<std::uint32_t> cuts;  // index of the first of its three new cuts, if it asked for some
     Reason reason;
