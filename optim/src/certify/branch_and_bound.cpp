@@ -17,6 +17,10 @@ namespace {
 constexpr double kJitter = 1e-8, kLeastJitter = 1e-15, kJitterPerGap = 0.01;
 
 constexpr std::size_t kOpenPerRound = 16, kGrowth = 16;  // a round takes 1/16 of the open cells, but at most 16 batches
+/// The first radius of a descent from a rotation that is better than what an earlier descent found: most of these lie
+/// near their minimum.
+constexpr double kNarrowSearch = 0.01;
+
 constexpr std::uint64_t kCellsBeforeBalls = 1000;
 constexpr std::uint64_t kGeneratorsPerCell = 100;  // a ball looks at this many generators in at most the time of a cell
 
@@ -147,7 +151,8 @@ void BranchAndBound::improve_incumbent(std::span<const Rotation> rotations, std:
   const auto best = std::ranges::min_element(cuts, {}, &Cut::value);
   if (!(best->value < before)) return;
   const double slack = std::isfinite(before) ? before - cutoff_ : 0;
-  descend(evaluator_, rotations[static_cast<std::size_t>(best - cuts.begin())], *best, options_.descent, 1e-6 * slack);
+  descend(evaluator_, rotations[static_cast<std::size_t>(best - cuts.begin())], *best, options_.descent,
+          std::isfinite(before) ? kNarrowSearch : kWideSearch, 1e-6 * slack);
   update_cutoff();
 }
 

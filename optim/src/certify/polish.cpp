@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kPolishTolerances[] = {1e-4, 1e-6, 1e-8, 1e-10};  // radians from orthogonal at the start
 constexpr double kParallelInTheEnd = 1e-12;
+constexpr double kPolishRadius = 1e-4;
 constexpr int kPolishDescent = 20, kNewtonSteps = 8;
 constexpr double kIndependent = 0.1;  // least sine of the angle between a condition and the span of earlier ones
 
@@ -97,7 +98,7 @@ Rotation solve(const std::vector<Condition>& conditions, Rotation frame) {
 
 std::vector<ActiveGenerator> polish(Evaluator& evaluator) {
   Rotation start = evaluator.incumbent().rotation;
-  descend(evaluator, start, evaluator.cut(start), kPolishDescent, 0);
+  descend(evaluator, start, evaluator.cut(start), kPolishDescent, kPolishRadius, 0);
   start = evaluator.incumbent().rotation;
   Neighbourhood faces(evaluator.objective().generators(), start);
   for (const double tolerance : kPolishTolerances) {
