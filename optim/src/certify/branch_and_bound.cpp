@@ -206,8 +206,10 @@ void BranchAndBound::expand(Slot& slot) const {
   if (proof_ && slot.cell.bound >= enough_) slot.cell.bound = facts_.floor;
   if (slot.cuts) {
     for (std::uint32_t k = 0; k < 3; ++k) slot.cell.bundles[k].add(*slot.cuts + k, options_.bundle);
-    slot.reason.weight = bounder_.raise(slot.cell, enough_);
-    slot.done = slot.cell.bound >= enough_;
+    if (!sifts()) {  // with the sieve new cuts do more for the parts; of whole cells they settle one in eight
+      slot.reason.weight = bounder_.raise(slot.cell, enough_);
+      slot.done = slot.cell.bound >= enough_;
+    }
   }
   if (!slot.done) halve(slot);
 }
@@ -216,9 +218,8 @@ void BranchAndBound::halve(Slot& slot) const {
   const Cell& cell = slot.cell;
   for (int i = 1; i < 3; ++i)  // near ties go to the first axis, whatever the rounding
     if (cell.spread[i] > 1.0001f * cell.spread[slot.axis]) slot.axis = i;
-  // A proof is shorter with larger leaves, and where floors are needed cuts settle little.
-  const Halves left = proof_ || floors_ ? Halves{cell.box.half(slot.axis, 0), cell.box.half(slot.axis, 1)}
-                                        : sift(cell, slot.axis, table_, balls_, enough_);
+  const Halves left = sifts() ? sift(cell, slot.axis, table_, balls_, enough_)
+                              : Halves{cell.box.half(slot.axis, 0), cell.box.half(slot.axis, 1)};
   for (std::size_t side = 0; side < 2; ++side) {
     Part& part = slot.parts[side];
     part.cell = cell;
@@ -252,7 +253,7 @@ BranchAndBound::Reason BranchAndBound::raise(Cell& cell) const {
 
 void BranchAndBound::merge(Slot& slot) {
   if (slot.done) return settle(slot.cell, slot.reason);
-  if (!proof_) least_settled_ = std::min(least_settled_, enough_);  // what the sieve left out is no lower than that
+  if (sifts()) least_settled_ = std::min(least_settled_, enough_);  // what the sieve left out is no lower than that
   const std::uint32_t node = proof_ ? proof_->halve(slot.cell.node, slot.axis) : 0;
   for (std::uint32_t side = 0; side < 2; ++side) {
     Part& part = slot.parts[side];

@@ -67,6 +67,8 @@ class BranchAndBound {
   void update_balls();
   bool is_flat() const;
   void update_floors();
+  /// Is the sieve in use? A proof is shorter with larger leaves, and where floors are needed cuts settle little.
+  bool sifts() const { return !proof_ && !floors_; }
   void expand(Slot& slot) const;
   void halve(Slot& slot) const;
   Reason raise(Cell& cell) const;
