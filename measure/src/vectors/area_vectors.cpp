@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -52,6 +53,32 @@ int length_exponent(const MeshView& mesh) {
   int exponent = 0;
   std::frexp(largest, &exponent);
   return exponent;
+}
+
+/// The area vectors of the triangles (eqs. 5-7) in units of 2^exponent. Returns whether these units serve: all vectors
+/// are finite, and the longest is neither so long nor so short that products of squares might overflow or lose digits.
+bool find_area_vectors(const MeshView& mesh, int exponent, std::vector<Vector3>& vectors) {
+  constexpr double kLeast = 0x1p-96, kMost = 0x1p96;
+  const double scale = std::ldexp(1.0, -exponent / 2);  // half the exponent, applied twice: 2^-exponent might overflow
+  const double rest = std::ldexp(1.0, -exponent - (-exponent / 2));
+  std::atomic<bool> finite = true, long_enough = false;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vectors.size(), 4096), [&](const auto& range) {
+    double largest = 0;
+    bool in_range = true;
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const Triangle& t = mesh.triangles[i];
+      const Vector3& origin = mesh.vertices[t[0]];
+      Vector3 a = mesh.vertices[t[1]] - origin, b = mesh.vertices[t[2]] - origin;
+      if (exponent != 0) a = a * scale * rest, b = b * scale * rest;
+      vectors[i] = 0.5 * a.cross(b);
+      const double size = vectors[i].cwiseAbs().sum();
+      in_range &= size <= kMost;  // false for what is not a number as well
+      largest = std::max(largest, size);
+    }
+    if (!in_range) finite = false;
+    if (largest >= kLeast) long_enough = true;
+  });
+  return finite && long_enough;
 }
 
 /// Reorders runs of vectors that are neighbours along the curve so that neighbours in the plane stand together. Runs
@@ -110,22 +137,14 @@ AreaVectors area_vectors(std::vector<Vector3> vectors) {
 }
 
 AreaVectors area_vectors(const MeshView& mesh) {
-  const int exponent = length_exponent(mesh);
-  const double scale = std::ldexp(1.0, -exponent / 2);  // half the exponent, applied twice: 2^-exponent might overflow
-  const double rest = std::ldexp(1.0, -exponent - (-exponent / 2));
-
+  int exponent = 0;
   std::vector<Vector3> vectors(mesh.triangles.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vectors.size(), 4096), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      const Triangle& t = mesh.triangles[i];
-      const Vector3& origin = mesh.vertices[t[0]];
-      const Vector3 a = (mesh.vertices[t[1]] - origin) * scale * rest;
-      const Vector3 b = (mesh.vertices[t[2]] - origin) * scale * rest;
-      vectors[i] = 0.5 * a.cross(b);  // eqs. (5)-(7)
-    }
-  });
-  for (const Vector3& v : vectors)  // what follows compares and converts them
-    if (!v.allFinite()) throw MeshError("a vertex is not finite");
+  if (!find_area_vectors(mesh, exponent, vectors)) {
+    exponent = length_exponent(mesh);
+    find_area_vectors(mesh, exponent, vectors);
+    for (const Vector3& v : vectors)  // what follows compares and converts them
+      if (!v.allFinite()) throw MeshError("a vertex is not finite");
+  }
   AreaVectors result = area_vectors(std::move(vectors));
   result.exponent += 2 * exponent;
   if (result.total == 0) throw MeshError("the total area is zero");

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <span>
 #include <utility>
 
 namespace rectilin {
@@ -55,30 +57,41 @@ std::uint32_t hilbert_place(std::uint32_t x, std::uint32_t y) {
 
 /// The hemisphere maps to a square by the hemi-octahedral projection (Cigolle et al. 2014).
 std::uint32_t cell_of(const Vector3& turned) {
+  constexpr double kHalf = 1 << (kBits - 1), kShortest = 1e-300;  // what is shorter weighs nothing
   const double norm = std::abs(turned.x()) + std::abs(turned.y()) + turned.z();
-  const auto quantised = [&](double c) {  // from [-norm, norm]
-    constexpr double kHalf = 1 << (kBits - 1);
-    return static_cast<std::uint32_t>(std::clamp((c / norm + 1) * kHalf, 0.0, 2 * kHalf - 1));
+  const double scale = kHalf / std::max(norm, kShortest);
+  const auto quantised = [scale](double c) {  // from [-norm, norm]
+    return static_cast<std::uint32_t>(std::clamp(c * scale + kHalf, 0.0, 2 * kHalf - 1));
   };
   return hilbert_place(quantised(turned.x() + turned.y()), quantised(turned.x() - turned.y()));
 }
 
 /// A stable sort by the high half of each item. Radix sort, least significant digit first: several times faster
-/// than comparing.
+/// than comparing. The counts of long digits would take longer than the sorting of few items.
 void radix_sort_by_high_half(std::vector<std::uint64_t>& items) {
-  constexpr int kDigit = 11, kPasses = 3;
-  constexpr std::size_t kBuckets = std::size_t{1} << kDigit;
-  const auto digit = [](std::uint64_t item, int pass) { return (item >> (32 + kDigit * pass)) & (kBuckets - 1); };
-  std::vector<std::array<std::size_t, kBuckets>> begins(kPasses);
+  const int bits = items.size() < 10'000 ? 8 : 11, passes = (32 + bits - 1) / bits;
+  const std::size_t buckets = std::size_t{1} << bits;
+  const auto digit = [&](std::uint64_t item, int pass) { return (item >> (32 + bits * pass)) & (buckets - 1); };
+  std::vector<std::uint32_t> begins(static_cast<std::size_t>(passes) * buckets);
   for (const std::uint64_t item : items)
-    for (int pass = 0; pass < kPasses; ++pass) ++begins[pass][digit(item, pass)];
+    for (int pass = 0; pass < passes; ++pass) ++begins[static_cast<std::size_t>(pass) * buckets + digit(item, pass)];
   std::vector<std::uint64_t> target(items.size());
-  for (int pass = 0; pass < kPasses; ++pass) {
-    std::size_t begin = 0;
-    for (std::size_t& count : begins[pass]) begin += std::exchange(count, begin);
-    for (const std::uint64_t item : items) target[begins[pass][digit(item, pass)]++] = item;
+  for (int pass = 0; pass < passes; ++pass) {
+    const std::span<std::uint32_t> begin(&begins[static_cast<std::size_t>(pass) * buckets], buckets);
+    std::exclusive_scan(begin.begin(), begin.end(), begin.begin(), std::uint32_t{0});
+    for (const std::uint64_t item : items) target[begin[digit(item, pass)]++] = item;
     items.swap(target);
   }
+}
+
+/// Is every pair of these vectors, which point to one side, so nearly parallel that they will be merged?
+bool all_parallel(const std::vector<Vector3>& vectors, std::span<const std::uint32_t> places) {
+  const Vector3& first = vectors[places[0]];
+  const double limit = 0.25 * kParallel * kParallel * first.squaredNorm();
+  return std::ranges::all_of(places.subspan(1), [&](std::uint32_t place) {
+    const Vector3& v = vectors[place];
+    return first.cross(v).squaredNorm() <= limit * v.squaredNorm();
+  });
 }
 
 /// By direction, equal ones by index.
@@ -110,7 +123,7 @@ std::vector<std::uint32_t> order_by_direction(std::vector<Vector3>& vectors) {
   std::vector<std::pair<Vector3, std::uint32_t>> exact;  // unit vectors and indices of one cell
   for (std::size_t begin = 0, end; begin < order.size(); begin = end) {
     for (end = begin + 1; end < order.size() && cell(end) == cell(begin);) ++end;
-    if (end - begin == 1) continue;
+    if (end - begin == 1 || all_parallel(vectors, std::span(order).subspan(begin, end - begin))) continue;
     exact.clear();
     for (std::size_t place = begin; place < end; ++place)
       exact.emplace_back(vectors[order[place]].normalized(), order[place]);
