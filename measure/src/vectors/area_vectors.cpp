@@ -106,6 +106,41 @@ int lengthen(std::vector<Vector3>& vectors) {
   return exponent;
 }
 
+/// Adds up those that are parallel among the vectors of each cell.
+std::size_t merge(const std::vector<Vector3>& vectors, std::vector<OrderedVector> order, AreaVectors& result) {
+  for (AlignedDoubles* component : {&result.x, &result.y, &result.z}) component->resize(order.size());
+  std::size_t count = 0;
+  long double total = 0;
+  const auto write = [&](const ParallelSum& sum) {
+    result.set(count++, sum.value());
+    total += sum.length();
+  };
+  const auto at = [&](std::size_t i) -> const Vector3& {
+    constexpr std::size_t kAhead = 32;  // prefetching, because the order jumps through memory
+    __builtin_prefetch(&vectors[index(order[std::min(i + kAhead, order.size() - 1)])]);
+    return vectors[index(order[i])];
+  };
+  for (std::size_t i = 0, end; i < order.size(); i = end) {
+    ParallelSum sum(at(i));
+    const auto same_cell = [&](std::size_t k) { return k < order.size() && cell(order[k]) == cell(order[i]); };
+    for (end = i + 1; same_cell(end) && sum.accepts(at(end)); ++end) sum.add(at(end));
+    if (!same_cell(end)) {
+      write(sum);
+      continue;
+    }
+    while (same_cell(end)) ++end;
+    sort_cell(vectors, std::span(order).subspan(i, end - i));
+    for (std::size_t k = i; k < end;) {
+      ParallelSum part(vectors[index(order[k])]);
+      for (++k; k < end && part.accepts(vectors[index(order[k])]); ++k) part.add(vectors[index(order[k])]);
+      write(part);
+    }
+  }
+  for (AlignedDoubles* component : {&result.x, &result.y, &result.z}) component->resize(count);
+  result.total = static_cast<double>(total);
+  return order.size();
+}
+
 }  // namespace
 
 double AreaVectors::area() const { return std::ldexp(total, exponent); }
@@ -113,25 +148,7 @@ double AreaVectors::area() const { return std::ldexp(total, exponent); }
 AreaVectors area_vectors(std::vector<Vector3> vectors) {
   AreaVectors result;
   result.exponent = lengthen(vectors);
-  const std::vector<std::uint32_t> order = order_by_direction(vectors);
-  result.faces = order.size();
-  for (AlignedDoubles* component : {&result.x, &result.y, &result.z}) component->reserve(order.size());
-  const auto sorted = [&](std::size_t i) -> const Vector3& {
-    constexpr std::size_t kAhead = 32;  // prefetching, because the order jumps through memory
-    __builtin_prefetch(&vectors[order[std::min(i + kAhead, order.size() - 1)]]);
-    return vectors[order[i]];
-  };
-  long double total = 0;
-  for (std::size_t i = 0; i < order.size();) {
-    ParallelSum sum(sorted(i));
-    for (++i; i < order.size() && sum.accepts(sorted(i)); ++i) sum.add(sorted(i));
-    const Vector3& v = sum.value();
-    result.x.push_back(v.x());
-    result.y.push_back(v.y());
-    result.z.push_back(v.z());
-    total += sum.length();
-  }
-  result.total = static_cast<double>(total);
+  result.faces = merge(vectors, order_by_direction(vectors), result);
   if (DirectionTree::worthwhile(result.size())) arrange_runs(result);  // the flat sum needs no order
   return result;
 }

@@ -1,0 +1,30 @@
+// The interface between the order of vectors (hilbert_order.cpp) and its vector loop (cell_kernels.cpp).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace rectilin {
+
+/// How a direction becomes a cell.
+struct CellMap {
+  static constexpr int kBits = 16;  ///< bits of each of the cell's two coordinates
+
+  /// Rows of a rotation. Vectors are turned to the side of the last row, and their directions to coordinates in a
+  /// square whose middle is the last row.
+  std::array<std::array<double, 3>, 3> rows;
+
+  /// Four levels of a space-filling curve at once: bits 0 to 7 of an entry hold the place of a sub-cell among 256, and
+  /// from bit 8 on the orientation of the curve in it; the entry is at 256 orientation + 16 x + y.
+  std::array<std::int32_t, 4 * 256> curve;
+};
+
+inline constexpr std::uint64_t kDropped = ~std::uint64_t{0};
+
+/// For vectors `begin` to `end` (three doubles each): turns the vector to one side in place, and writes an item, with
+/// the place of the vector's cell along the curve in its high half and the index of the vector in the low one, or
+/// kDropped for a vector of length zero. The same for every instruction set, bit for bit.
+void find_cells(const CellMap& map, double* vectors, std::size_t begin, std::size_t end, std::uint64_t* items);
+
+}  // namespace rectilin
