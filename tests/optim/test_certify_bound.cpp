@@ -7,6 +7,7 @@
 #include "certify/box_bound.h"
 #include "certify/branch_and_bound.h"
 #include "certify/kink_ball.h"
+#include "certify/sieve.h"
 #include "certify/support_floor.h"
 #include "rectilin/measure/projected_area.h"
 #include "rectilin/mesh/source.h"
@@ -129,6 +130,63 @@ TEST_CASE("the objective does not fall below a cell's bound", "[certify]") {
   CAPTURE(settled, borrowed);
   REQUIRE(settled > 5 * kEffort);
   REQUIRE(borrowed > 5 * kEffort);
+}
+
+TEST_CASE("what the sieve leaves out of a cell is not below what was asked for", "[certify]") {
+  Random random(7);
+  int left_out = 0, kept = 0, empty = 0;
+  double sharpest = 1;
+  for (int trial = 0; trial < 400 * kEffort; ++trial) {
+    const ProjectedArea objective(area_vectors(awkward_vectors(random)));
+    Cell cell;
+    cell.box = random_box(random);
+    CutTable table;
+    Balls balls;
+    double least = 10;
+    for (int i = 0; i < 12; ++i) {
+      const Rotation at = rotation_from_rodrigues(random_point(random, cell.box));
+      Cut cut;
+      objective.cuts({&at, 1}, {&cut, 1});
+      for (int k = 0; k < 3 && i < 3; ++k) cell.bundles[k].add(table.size() + static_cast<std::uint32_t>(k), 6);
+      table.add(at, cut);
+      least = std::min(least, cut.value);
+    }
+    const double enough = least * (1 - std::pow(10.0, random.uniform(-6, -0.5)));
+    if (random.chance(0.3)) {
+      const Rotation centre = rotation_from_rodrigues(random_point(random, cell.box));
+      const double angle = kink_ball(objective.generators(), centre, enough);
+      if (angle > 1e-6) balls.add(centre, angle);
+    }
+    const int axis = trial % 3;
+    const Halves left = sift(cell, axis, table, balls, enough);
+    for (int side = 0; side < 2; ++side) {
+      const Box half = cell.box.half(axis, side);
+      if (left[side])
+        REQUIRE(((left[side]->lower.array() >= half.lower.array()) && (left[side]->upper.array() <= half.upper.array()))
+                    .all());
+      else ++empty;
+    }
+    const auto holds = [](const Box& box, const Eigen::Vector3d& p) {
+      return ((box.lower.array() <= p.array()) && (p.array() <= box.upper.array())).all();
+    };
+    for (int i = 0; i < 300; ++i) {
+      const Eigen::Vector3d p = random_point(random, cell.box);
+      if (p.lpNorm<1>() > 1) continue;
+      if ((left[0] && holds(*left[0], p)) || (left[1] && holds(*left[1], p))) {
+        ++kept;
+        continue;
+      }
+      ++left_out;
+      const double excess = value_at(objective, rotation_from_rodrigues(p)) - enough;
+      REQUIRE(excess >= -1e-13);
+      sharpest = std::min(sharpest, excess);
+    }
+  }
+  CAPTURE(left_out, kept, empty, sharpest);
+  REQUIRE(left_out > 10'000 * kEffort);
+  REQUIRE(kept > 1000 * kEffort);
+  REQUIRE(empty > 10 * kEffort);
+  REQUIRE(sharpest < 1e-4);  // the attack comes near
 }
 
 TEST_CASE("no rotation in a kink ball is below its value", "[certify]") {

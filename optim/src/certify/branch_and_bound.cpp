@@ -6,6 +6,7 @@
 
 #include "certify/box_bound.h"
 #include "certify/descent.h"
+#include "certify/sieve.h"
 
 namespace rectilin::certification {
 namespace {
@@ -16,15 +17,18 @@ namespace {
 constexpr double kJitter = 1e-8, kLeastJitter = 1e-15, kJitterPerGap = 0.01;
 
 constexpr std::size_t kOpenPerRound = 16, kGrowth = 16;  // a round takes 1/16 of the open cells, but at most 16 batches
-constexpr int kRetries = 3;                              // how often new cuts may be tried before a cell is halved
-constexpr std::uint64_t kCellsBeforeBalls = 100;
+/// The first radius of a descent from a rotation that is better than what an earlier descent found: most of these lie
+/// near their minimum.
+constexpr double kNarrowSearch = 0.01;
+
+constexpr std::uint64_t kCellsBeforeBalls = 1000;
 constexpr std::uint64_t kGeneratorsPerCell = 100;  // a ball looks at this many generators in at most the time of a cell
 
-constexpr std::uint64_t kCellsBeforeFloors = 5000;  // by then the incumbent shows how flat the landscape is
+constexpr std::uint64_t kCellsBeforeFloors = 1000;  // by then the incumbent shows how flat the landscape is
 constexpr double kProofMargin = 4e-12;  // floors in proofs are lowered by this: a checker sums in another order
 constexpr double kProofWider = 0.01;    // and sweeps widened by this: a checker may find them a little larger
 // Floors cost as much as this many cells, fixed and for each generator.
-constexpr double kManyCells = 4e4, kCellsPerGenerator = 8;
+constexpr double kManyCells = 8e4, kCellsPerGenerator = 8;
 
 /// Two neighbouring numbers between which the merit, which falls as the value grows, passes `target`.
 struct Passage {
@@ -147,7 +151,8 @@ void BranchAndBound::improve_incumbent(std::span<const Rotation> rotations, std:
   const auto best = std::ranges::min_element(cuts, {}, &Cut::value);
   if (!(best->value < before)) return;
   const double slack = std::isfinite(before) ? before - cutoff_ : 0;
-  descend(evaluator_, rotations[static_cast<std::size_t>(best - cuts.begin())], *best, options_.descent, 1e-6 * slack);
+  descend(evaluator_, rotations[static_cast<std::size_t>(best - cuts.begin())], *best, options_.descent,
+          std::isfinite(before) ? kNarrowSearch : kWideSearch, 1e-6 * slack);
   update_cutoff();
 }
 
@@ -201,31 +206,29 @@ void BranchAndBound::expand(Slot& slot) const {
   if (proof_ && slot.cell.bound >= enough_) slot.cell.bound = facts_.floor;
   if (slot.cuts) {
     for (std::uint32_t k = 0; k < 3; ++k) slot.cell.bundles[k].add(*slot.cuts + k, options_.bundle);
-    const double before = slot.cell.bound;
-    slot.reason.weight = bounder_.raise(slot.cell, enough_);
-    if (slot.cell.bound >= enough_) {
-      slot.state = Slot::State::kDone;
-      return;
-    }
-    // Try more cuts as long as they gain enough.
-    if (slot.cell.retries < kRetries && slot.cell.bound - before > 0.5 * (enough_ - before)) {
-      ++slot.cell.retries;
-      return;
+    if (!sifts()) {  // with the sieve new cuts do more for the parts; of whole cells they settle one in eight
+      slot.reason.weight = bounder_.raise(slot.cell, enough_);
+      slot.done = slot.cell.bound >= enough_;
     }
   }
-  slot.state = Slot::State::kHalved;
-  halve(slot);
+  if (!slot.done) halve(slot);
 }
 
 void BranchAndBound::halve(Slot& slot) const {
   const Cell& cell = slot.cell;
   for (int i = 1; i < 3; ++i)  // near ties go to the first axis, whatever the rounding
     if (cell.spread[i] > 1.0001f * cell.spread[slot.axis]) slot.axis = i;
-  for (int side = 0; side < 2; ++side) {
+  const Halves left = sifts() ? sift(cell, slot.axis, table_, balls_, enough_)
+                              : Halves{cell.box.half(slot.axis, 0), cell.box.half(slot.axis, 1)};
+  for (std::size_t side = 0; side < 2; ++side) {
     Part& part = slot.parts[side];
     part.cell = cell;
-    part.cell.box = cell.box.half(slot.axis, side);
-    part.cell.retries = 0;
+    if (!left[side]) {
+      part.cell.bound = enough_;
+      part.state = Part::State::kDone;
+      continue;
+    }
+    part.cell.box = *left[side];
     if (!part.cell.box.meets_zone()) {
       part.state = Part::State::kOutside;
     } else if (balls_.hold(part.cell.box)) {
@@ -249,8 +252,8 @@ BranchAndBound::Reason BranchAndBound::raise(Cell& cell) const {
 }
 
 void BranchAndBound::merge(Slot& slot) {
-  if (slot.state == Slot::State::kAgain) return heap_.push(slot.cell);
-  if (slot.state == Slot::State::kDone) return settle(slot.cell, slot.reason);
+  if (slot.done) return settle(slot.cell, slot.reason);
+  if (sifts()) least_settled_ = std::min(least_settled_, enough_);  // what the sieve left out is no lower than that
   const std::uint32_t node = proof_ ? proof_->halve(slot.cell.node, slot.axis) : 0;
   for (std::uint32_t side = 0; side < 2; ++side) {
     Part& part = slot.parts[side];

@@ -51,8 +51,7 @@ class BranchAndBound {
 
   /// A cell of the round, and what becomes of it.
   struct Slot {
-    enum class State { kAgain, kDone, kHalved };
-    State state = State::kAgain;
+    bool done = false;  // otherwise it was halved
     Cell cell;
     std::optional<std::uint32_t> cuts;  // index of the first of its three new cuts, if it asked for some
     Reason reason;
@@ -68,6 +67,8 @@ class BranchAndBound {
   void update_balls();
   bool is_flat() const;
   void update_floors();
+  /// Is the sieve in use? A proof is shorter with larger leaves, and where floors are needed cuts settle little.
+  bool sifts() const { return !proof_ && !floors_; }
   void expand(Slot& slot) const;
   void halve(Slot& slot) const;
   Reason raise(Cell& cell) const;

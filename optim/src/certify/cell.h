@@ -35,7 +35,6 @@ struct Cell {
   double model = -std::numeric_limits<double>::infinity();
 
   Eigen::Vector3f spread = Eigen::Vector3f::Ones();  ///< what halving each edge may gain
-  int retries = 0;                                   ///< times it went back to the heap with new cuts
   std::uint32_t node = 0;                            ///< its node in the proof's tree
 };
 

@@ -18,6 +18,27 @@ namespace rectilin::certification {
 /// safe.
 class CutTable {
  public:
+  static constexpr std::size_t kLanes = 8;
+
+  /// Eight rows as a structure of arrays; the zeros of a block that is not full are valid, but useless.
+  struct Block {
+    std::array<Array8, 3> row = {Array8::Zero(), Array8::Zero(), Array8::Zero()};
+    std::array<std::uint32_t, kLanes> index = {};
+  };
+
+  struct Square {
+    std::vector<Block> blocks;
+    std::uint32_t count = 0;
+
+    void add(std::uint32_t index, const Eigen::Vector3d& row) {
+      const std::uint32_t at = count++ % kKept, lane = at % kLanes;
+      if (at / kLanes == blocks.size()) blocks.emplace_back();
+      Block& block = blocks[at / kLanes];
+      for (int i = 0; i < 3; ++i) block.row[i][lane] = row[i];
+      block.index[lane] = index;
+    }
+  };
+
   CutTable() : squares_(6 * kSide * kSide) {}
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(rows_.size()); }
@@ -30,6 +51,9 @@ class CutTable {
       rows_.push_back(cut.gradient.row(k));
     }
   }
+
+  /// The rows that were taken near a direction, which need not have length one.
+  const Square& square(const Eigen::Vector3d& u) const { return squares_[square_of(u)]; }
 
   struct Found {
     double value;
@@ -53,25 +77,6 @@ class CutTable {
  private:
   static constexpr int kSide = 5;
   static constexpr std::uint32_t kKept = 128;
-
-  /// Eight rows as a structure of arrays; the zeros of a block that is not full are valid, but useless.
-  struct Block {
-    std::array<Array8, 3> row = {Array8::Zero(), Array8::Zero(), Array8::Zero()};
-    std::array<std::uint32_t, 8> index = {};
-  };
-
-  struct Square {
-    std::vector<Block> blocks;
-    std::uint32_t count = 0;
-
-    void add(std::uint32_t index, const Eigen::Vector3d& row) {
-      const std::uint32_t at = count++ % kKept, lane = at % 8;
-      if (at / 8 == blocks.size()) blocks.emplace_back();
-      Block& block = blocks[at / 8];
-      for (int i = 0; i < 3; ++i) block.row[i][lane] = row[i];
-      block.index[lane] = index;
-    }
-  };
 
   static std::size_t square_of(const Eigen::Vector3d& u) {
     int axis = 0;

@@ -8,7 +8,7 @@
 namespace rectilin::certification {
 namespace {
 
-constexpr double kFirstRadius = 0.1, kLargestRadius = 0.2, kSmallestRadius = 1e-13;  // radians
+constexpr double kLargestRadius = 0.2, kSmallestRadius = 1e-13;  // radians
 
 /// The cuts of each axis that the model of the objective keeps.
 class Model {
@@ -31,7 +31,9 @@ class Model {
   /// Adds a cut; if there is no room, cuts without weight are dropped first.
   void add(const Cut& cut, const PerCut<double>& weight) {
     for (int k = 0; k < 3; ++k) {
-      std::vector<Eigen::Vector3d> kept = {cut.gradient.row(k).transpose()};
+      std::vector<Eigen::Vector3d> kept;
+      kept.reserve(kCapacity);
+      kept.push_back(cut.gradient.row(k).transpose());
       for (const bool active : {true, false})
         for (std::size_t j = 0; j < slopes_[k].size() && kept.size() < kCapacity; ++j)
           if ((weight[k][j] > 1e-12) == active) kept.push_back(slopes_[k][j]);
@@ -46,10 +48,11 @@ class Model {
 
 }  // namespace
 
-Incumbent descend(Evaluator& evaluator, const Rotation& start, const Cut& cut, int steps, double enough) {
+Incumbent descend(Evaluator& evaluator, const Rotation& start, const Cut& cut, int steps, double radius,
+                  double enough) {
   Model model(cut);
   Rotation at = start;
-  double value = cut.value, radius = kFirstRadius;
+  double value = cut.value;
   for (int step = 0; step < steps && !evaluator.exhausted(); ++step) {
     const Strategies best = model.minimum(at, radius);
     const double promised = value - best.value;

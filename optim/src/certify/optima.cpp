@@ -83,7 +83,7 @@ class Search {
       if (candidate.descended || balls_.hold(candidate.cell.box)) continue;
       candidate.descended = true;
       const Rotation start = rotation_from_rodrigues(candidate.cell.low_point);
-      const Incumbent minimum = descend(evaluator_, start, evaluator_.cut(start), kDescent, 0);
+      const Incumbent minimum = descend(evaluator_, start, evaluator_.cut(start), kDescent, kWideSearch, 0);
       if (!(minimum.value <= threshold_)) continue;
       const double angle = kink_ball(generators, minimum.rotation, minimum.value - 10 * kBallRounding);
       if (angle < kLeastBall || is_known(minimum.rotation, angle)) continue;

@@ -1,7 +1,6 @@
 #include "certify/polish.h"
 
 #include <Eigen/LU>
-#include <algorithm>
 #include <cmath>
 
 #include "certify/descent.h"
@@ -12,6 +11,7 @@ namespace {
 
 constexpr double kPolishTolerances[] = {1e-4, 1e-6, 1e-8, 1e-10};  // radians from orthogonal at the start
 constexpr double kParallelInTheEnd = 1e-12;
+constexpr double kPolishRadius = 1e-4;
 constexpr int kPolishDescent = 20, kNewtonSteps = 8;
 constexpr double kIndependent = 0.1;  // least sine of the angle between a condition and the span of earlier ones
 
@@ -21,19 +21,40 @@ struct Condition {
   double length;           // length of the generator
 };
 
+/// The derivative of r_k . n as the frame turns about the mesh's coordinate axes.
+Eigen::Vector3d derivative(const Condition& c, const Rotation& frame) {
+  return frame.axis(c.face.axis).cross(c.normal);
+}
+
 /// The generators that are nearly orthogonal to an axis, for all frames near a central one. There may be millions of
 /// generators, so all of them are looked at only when the centre moves.
 class Neighbourhood {
  public:
   Neighbourhood(const Generators& generators, const Rotation& centre) : generators_(generators) { move_to(centre); }
 
-  /// All generators within `tolerance` (radians) of being orthogonal to an axis, the longest first.
-  std::vector<Condition> near_parallel(const Rotation& frame, double tolerance) {
+  /// At most three conditions within `tolerance` (radians) of being met, with independent derivatives: the longest,
+  /// then the longest that is independent of it, then of both.
+  std::vector<Condition> independent(const Rotation& frame, double tolerance) {
     if (angle_between(centre_, frame) + tolerance > kReach) move_to(frame);
-    std::vector<Condition> found;
-    for (const Condition& c : near_)
-      if (std::abs(frame.axis(c.face.axis).dot(c.normal)) <= tolerance) found.push_back(c);
-    return found;
+    std::vector<Condition> chosen;
+    std::vector<Eigen::Vector3d> basis;
+    while (chosen.size() < 3) {
+      const Condition* longest = nullptr;
+      Eigen::Vector3d direction;
+      for (const Condition& c : near_) {
+        if ((longest && c.length <= longest->length) || std::abs(frame.axis(c.face.axis).dot(c.normal)) > tolerance)
+          continue;
+        Eigen::Vector3d rest = derivative(c, frame);
+        for (const Eigen::Vector3d& b : basis) rest -= rest.dot(b) * b;
+        if (rest.norm() < kIndependent) continue;
+        longest = &c;
+        direction = rest.normalized();
+      }
+      if (!longest) break;
+      chosen.push_back(*longest);
+      basis.push_back(direction);
+    }
+    return chosen;
   }
 
  private:
@@ -48,33 +69,12 @@ class Neighbourhood {
       for (int k = 0; k < 3; ++k)
         if (std::abs(products[k]) <= kReach * length) near_.push_back({{k, i}, v / length, length});
     }
-    std::ranges::stable_sort(near_, std::ranges::greater(), &Condition::length);
   }
 
   Generators generators_;
   Rotation centre_;
   std::vector<Condition> near_;  // those within kReach for the central frame
 };
-
-/// The derivative of r_k . n as the frame turns about the mesh's coordinate axes.
-Eigen::Vector3d derivative(const Condition& c, const Rotation& frame) {
-  return frame.axis(c.face.axis).cross(c.normal);
-}
-
-/// At most three conditions with independent derivatives, chosen greedily.
-std::vector<Condition> independent(const std::vector<Condition>& conditions, const Rotation& frame) {
-  std::vector<Condition> chosen;
-  std::vector<Eigen::Vector3d> basis;
-  for (const Condition& c : conditions) {
-    Eigen::Vector3d rest = derivative(c, frame);
-    for (const Eigen::Vector3d& b : basis) rest -= rest.dot(b) * b;
-    if (rest.norm() < kIndependent) continue;
-    chosen.push_back(c);
-    basis.push_back(rest.normalized());
-    if (chosen.size() == 3) break;
-  }
-  return chosen;
-}
 
 /// Newton's method; with fewer than three conditions, the minimum-norm step.
 Rotation solve(const std::vector<Condition>& conditions, Rotation frame) {
@@ -98,16 +98,16 @@ Rotation solve(const std::vector<Condition>& conditions, Rotation frame) {
 
 std::vector<ActiveGenerator> polish(Evaluator& evaluator) {
   Rotation start = evaluator.incumbent().rotation;
-  descend(evaluator, start, evaluator.cut(start), kPolishDescent, 0);
+  descend(evaluator, start, evaluator.cut(start), kPolishDescent, kPolishRadius, 0);
   start = evaluator.incumbent().rotation;
   Neighbourhood faces(evaluator.objective().generators(), start);
   for (const double tolerance : kPolishTolerances) {
-    const std::vector<Condition> conditions = independent(faces.near_parallel(start, tolerance), start);
+    const std::vector<Condition> conditions = faces.independent(start, tolerance);
     if (!conditions.empty()) evaluator.value(solve(conditions, start));
   }
   const Rotation& end = evaluator.incumbent().rotation;
   std::vector<ActiveGenerator> active;
-  for (const Condition& c : independent(faces.near_parallel(end, kParallelInTheEnd), end)) active.push_back(c.face);
+  for (const Condition& c : faces.independent(end, kParallelInTheEnd)) active.push_back(c.face);
   return active;
 }
 
