@@ -5,8 +5,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -55,30 +55,19 @@ int length_exponent(const MeshView& mesh) {
   return exponent;
 }
 
-/// The area vectors of the triangles (eqs. 5-7) in units of 2^exponent. Returns whether these units serve: all vectors
-/// are finite, and the longest is neither so long nor so short that products of squares might overflow or lose digits.
-bool find_area_vectors(const MeshView& mesh, int exponent, std::vector<Vector3>& vectors) {
-  constexpr double kLeast = 0x1p-96, kMost = 0x1p96;
+/// The area vectors of the triangles (eqs. 5-7) in units of 2^exponent.
+void find_area_vectors(const MeshView& mesh, int exponent, std::vector<Vector3>& vectors) {
   const double scale = std::ldexp(1.0, -exponent / 2);  // half the exponent, applied twice: 2^-exponent might overflow
   const double rest = std::ldexp(1.0, -exponent - (-exponent / 2));
-  std::atomic<bool> finite = true, long_enough = false;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vectors.size(), 4096), [&](const auto& range) {
-    double largest = 0;
-    bool in_range = true;
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const Triangle& t = mesh.triangles[i];
       const Vector3& origin = mesh.vertices[t[0]];
       Vector3 a = mesh.vertices[t[1]] - origin, b = mesh.vertices[t[2]] - origin;
       if (exponent != 0) a = a * scale * rest, b = b * scale * rest;
       vectors[i] = 0.5 * a.cross(b);
-      const double size = vectors[i].cwiseAbs().sum();
-      in_range &= size <= kMost;  // false for what is not a number as well
-      largest = std::max(largest, size);
     }
-    if (!in_range) finite = false;
-    if (largest >= kLeast) long_enough = true;
   });
-  return finite && long_enough;
 }
 
 /// Reorders runs of vectors that are neighbours along the curve so that neighbours in the plane stand together. Runs
@@ -94,20 +83,66 @@ void arrange_runs(AreaVectors& vectors) {
   });
 }
 
-/// Scales vectors that are all short to lengths of about 1, so that products of their squares do not underflow; returns
-/// the exponent that undoes this.
-int lengthen(std::vector<Vector3>& vectors) {
-  constexpr double kShort = 0x1p-64;
+/// Scales vectors such that the longest has a length of about 1, so that products of squares neither overflow nor
+/// vanish; returns the exponent that undoes this.
+int rescale(std::vector<Vector3>& vectors) {
   double largest = 0;
-  for (const Vector3& v : vectors) largest = std::max(largest, v.cwiseAbs().maxCoeff());
-  if (!(largest > 0 && largest < kShort)) return 0;
+  for (const Vector3& v : vectors) {
+    if (!v.allFinite()) throw MeshError("a vector is not finite");
+    largest = std::max(largest, v.cwiseAbs().maxCoeff());
+  }
+  if (largest == 0) return 0;
   const int exponent = std::ilogb(largest);
   for (Vector3& v : vectors) v = v.unaryExpr([exponent](double c) { return std::ldexp(c, -exponent); });
   return exponent;
 }
 
+/// The sums of parallel vectors of one cell.
+class CellSums {
+ public:
+  /// Of the members of a cell with several directions. Few are compared with each other; many are sorted by a coordinate
+  /// first, so that only neighbours need to be compared.
+  const std::vector<ParallelSum>& of(const std::vector<Vector3>& vectors, std::span<const OrderedVector> members) {
+    sums_.clear();
+    if (members.size() <= kFew) {
+      for (const OrderedVector v : members) add(vectors[index(v)], sums_.size());
+      return sums_;
+    }
+    sorted_.clear();
+    for (const OrderedVector v : members) {
+      const Vector3& vector = vectors[index(v)];
+      sorted_.emplace_back(kAxis.dot(vector) / vector.norm(), index(v));
+    }
+    std::ranges::sort(sorted_);
+    std::size_t near = 0;  // of how many of the latest sums may a vector be parallel to?
+    for (std::size_t i = 0; i < sorted_.size(); ++i) {
+      if (i > 0 && sorted_[i].first - sorted_[i - 1].first > 4 * kParallel) near = 0;
+      const std::size_t before = sums_.size();
+      add(vectors[sorted_[i].second], std::min(near, kFew));
+      near += sums_.size() - before;
+    }
+    return sums_;
+  }
+
+ private:
+  static constexpr std::size_t kFew = 8;
+  inline static const Vector3 kAxis = {0.41, -0.62, 0.67};  // arbitrary: no great circle common in meshes is across it
+
+  /// Adds a vector to one of the latest `near` sums, or begins another.
+  void add(const Vector3& v, std::size_t near) {
+    const auto last = sums_.rbegin() + static_cast<std::ptrdiff_t>(near);
+    const auto sum = std::find_if(sums_.rbegin(), last, [&](const ParallelSum& s) { return s.accepts(v); });
+    sum == last ? void(sums_.emplace_back(v)) : sum->add(v);
+  }
+
+  std::vector<ParallelSum> sums_;
+  std::vector<std::pair<double, std::uint32_t>> sorted_;
+};
+
 /// Adds up those that are parallel among the vectors of each cell.
-std::size_t merge(const std::vector<Vector3>& vectors, std::vector<OrderedVector> order, AreaVectors& result) {
+AreaVectors merge(const std::vector<Vector3>& vectors, const std::vector<OrderedVector>& order) {
+  AreaVectors result;
+  result.faces = order.size();
   for (AlignedDoubles* component : {&result.x, &result.y, &result.z}) component->resize(order.size());
   std::size_t count = 0;
   long double total = 0;
@@ -120,25 +155,22 @@ std::size_t merge(const std::vector<Vector3>& vectors, std::vector<OrderedVector
     __builtin_prefetch(&vectors[index(order[std::min(i + kAhead, order.size() - 1)])]);
     return vectors[index(order[i])];
   };
+  CellSums cell_sums;
   for (std::size_t i = 0, end; i < order.size(); i = end) {
     ParallelSum sum(at(i));
     const auto same_cell = [&](std::size_t k) { return k < order.size() && cell(order[k]) == cell(order[i]); };
     for (end = i + 1; same_cell(end) && sum.accepts(at(end)); ++end) sum.add(at(end));
     if (!same_cell(end)) {
       write(sum);
-      continue;
-    }
-    while (same_cell(end)) ++end;
-    sort_cell(vectors, std::span(order).subspan(i, end - i));
-    for (std::size_t k = i; k < end;) {
-      ParallelSum part(vectors[index(order[k])]);
-      for (++k; k < end && part.accepts(vectors[index(order[k])]); ++k) part.add(vectors[index(order[k])]);
-      write(part);
+    } else {
+      while (same_cell(end)) ++end;
+      for (const ParallelSum& part : cell_sums.of(vectors, std::span(order).subspan(i, end - i))) write(part);
     }
   }
   for (AlignedDoubles* component : {&result.x, &result.y, &result.z}) component->resize(count);
   result.total = static_cast<double>(total);
-  return order.size();
+  if (DirectionTree::worthwhile(count)) arrange_runs(result);  // the flat sum needs no order
+  return result;
 }
 
 }  // namespace
@@ -146,24 +178,31 @@ std::size_t merge(const std::vector<Vector3>& vectors, std::vector<OrderedVector
 double AreaVectors::area() const { return std::ldexp(total, exponent); }
 
 AreaVectors area_vectors(std::vector<Vector3> vectors) {
-  AreaVectors result;
-  result.exponent = lengthen(vectors);
-  result.faces = merge(vectors, order_by_direction(vectors), result);
-  if (DirectionTree::worthwhile(result.size())) arrange_runs(result);  // the flat sum needs no order
+  DirectionOrder order = order_by_direction(vectors);
+  int exponent = 0;
+  if (!order.safe) {
+    exponent = rescale(vectors);
+    order = order_by_direction(vectors);
+  }
+  AreaVectors result = merge(vectors, order.vectors);
+  result.exponent = exponent;
   return result;
 }
 
 AreaVectors area_vectors(const MeshView& mesh) {
-  int exponent = 0;
   std::vector<Vector3> vectors(mesh.triangles.size());
-  if (!find_area_vectors(mesh, exponent, vectors)) {
-    exponent = length_exponent(mesh);
+  find_area_vectors(mesh, 0, vectors);
+  AreaVectors result;
+  if (const DirectionOrder order = order_by_direction(vectors); order.safe) {
+    result = merge(vectors, order.vectors);
+  } else {
+    const int exponent = length_exponent(mesh);
     find_area_vectors(mesh, exponent, vectors);
-    for (const Vector3& v : vectors)  // what follows compares and converts them
+    for (const Vector3& v : vectors)
       if (!v.allFinite()) throw MeshError("a vertex is not finite");
+    result = area_vectors(std::move(vectors));
+    result.exponent += 2 * exponent;
   }
-  AreaVectors result = area_vectors(std::move(vectors));
-  result.exponent += 2 * exponent;
   if (result.total == 0) throw MeshError("the total area is zero");
   return result;
 }

@@ -44,7 +44,7 @@ HWY_INLINE V32 place_of(D32 d, const CellMap& map, V32 x, V32 y) {
 /// Does the vectors from `begin` on that fill whole registers of D; returns where it stopped.
 template <class D>
 HWY_INLINE std::size_t some_cells(D d, const CellMap& map, double* vectors, std::size_t begin, std::size_t end,
-                                  std::uint64_t* items) {
+                                  std::uint64_t* items, SizeRange& range) {
   using V = hn::Vec<D>;
   const hn::RebindToUnsigned<D> d64;
   const hn::Rebind<std::int32_t, D> whole;
@@ -52,6 +52,9 @@ HWY_INLINE std::size_t some_cells(D d, const CellMap& map, double* vectors, std:
   const V zero = hn::Zero(d), shortest = hn::Set(d, 1e-300);  // what is shorter weighs nothing
   constexpr double kHalf = 1 << (CellMap::kBits - 1);
   const V half = hn::Set(d, kHalf), last = hn::Set(d, 2 * kHalf - 1);
+  const V most = hn::Set(d, SizeRange::kMost);
+  V largest = zero;
+  auto none_above = hn::Eq(zero, zero);
   const std::size_t lanes = hn::Lanes(d);
   std::size_t i = begin;
   for (; i + lanes <= end; i += lanes) {
@@ -71,16 +74,22 @@ HWY_INLINE std::size_t some_cells(D d, const CellMap& map, double* vectors, std:
     };
     const auto place = hn::BitCast(d32, place_of(whole, map, quantised(hn::Add(a, b)), quantised(hn::Sub(a, b))));
     const auto item = hn::Or(hn::ShiftLeft<32>(hn::PromoteTo(d64, place)), hn::Iota(d64, i));
-    const V size = hn::Max(hn::Max(hn::Abs(x), hn::Abs(y)), hn::Abs(z));
+    const V size = hn::Add(hn::Add(hn::Abs(x), hn::Abs(y)), hn::Abs(z));
+    none_above = hn::And(none_above, hn::Le(size, most));
+    largest = hn::Max(largest, size);
     const auto absent = hn::RebindMask(d64, hn::Eq(size, zero));
     hn::StoreU(hn::IfThenElse(absent, hn::Set(d64, kDropped), item), d64, items + i);
   }
+  range.none_above &= hn::AllTrue(d, none_above);
+  range.some_counts |= hn::GetLane(hn::MaxOfLanes(d, largest)) >= SizeRange::kLeast;
   return i;
 }
 
-void all_cells(const CellMap& map, double* vectors, std::size_t begin, std::size_t end, std::uint64_t* items) {
-  const std::size_t rest = some_cells(hn::ScalableTag<double>(), map, vectors, begin, end, items);
-  some_cells(hn::CappedTag<double, 1>(), map, vectors, rest, end, items);
+SizeRange all_cells(const CellMap& map, double* vectors, std::size_t begin, std::size_t end, std::uint64_t* items) {
+  SizeRange range;
+  const std::size_t rest = some_cells(hn::ScalableTag<double>(), map, vectors, begin, end, items, range);
+  some_cells(hn::CappedTag<double, 1>(), map, vectors, rest, end, items, range);
+  return range;
 }
 
 }  // namespace
@@ -92,8 +101,8 @@ namespace rectilin {
 
 HWY_EXPORT(all_cells);
 
-void find_cells(const CellMap& map, double* vectors, std::size_t begin, std::size_t end, std::uint64_t* items) {
-  HWY_DYNAMIC_DISPATCH(all_cells)(map, vectors, begin, end, items);
+SizeRange find_cells(const CellMap& map, double* vectors, std::size_t begin, std::size_t end, std::uint64_t* items) {
+  return HWY_DYNAMIC_DISPATCH(all_cells)(map, vectors, begin, end, items);
 }
 
 }  // namespace rectilin

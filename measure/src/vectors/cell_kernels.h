@@ -22,9 +22,19 @@ struct CellMap {
 
 inline constexpr std::uint64_t kDropped = ~std::uint64_t{0};
 
+/// Vectors have sizes, the sums of the components' magnitudes. Products of the squares of two vectors neither overflow
+/// nor, unless one of them is negligible, lose digits if no size is above kMost and the largest is at least kLeast.
+struct SizeRange {
+  static constexpr double kLeast = 0x1p-64, kMost = 0x1p64;
+  bool none_above = true;    ///< no size is above kMost or not a number
+  bool some_counts = false;  ///< a size is at least kLeast
+
+  bool safe() const { return none_above && some_counts; }
+};
+
 /// For vectors `begin` to `end` (three doubles each): turns the vector to one side in place, and writes an item, with
 /// the place of the vector's cell along the curve in its high half and the index of the vector in the low one, or
 /// kDropped for a vector of length zero. The same for every instruction set, bit for bit.
-void find_cells(const CellMap& map, double* vectors, std::size_t begin, std::size_t end, std::uint64_t* items);
+SizeRange find_cells(const CellMap& map, double* vectors, std::size_t begin, std::size_t end, std::uint64_t* items);
 
 }  // namespace rectilin

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -53,50 +54,38 @@ const CellMap& cell_map() {
   return map;
 }
 
-/// A stable sort by the high half of each item. Radix sort, least significant digit first: several times faster
-/// than comparing. The counts of long digits would take longer than the sorting of few items.
-void radix_sort_by_high_half(std::vector<std::uint64_t>& items) {
-  const int bits = items.size() < 10'000 ? 8 : 11, passes = (32 + bits - 1) / bits;
-  const std::size_t buckets = std::size_t{1} << bits;
-  const auto digit = [&](std::uint64_t item, int pass) { return (item >> (32 + bits * pass)) & (buckets - 1); };
-  std::vector<std::uint32_t> begins(static_cast<std::size_t>(passes) * buckets);
-  for (const std::uint64_t item : items)
-    for (int pass = 0; pass < passes; ++pass) ++begins[static_cast<std::size_t>(pass) * buckets + digit(item, pass)];
-  std::vector<std::uint64_t> target(items.size());
-  for (int pass = 0; pass < passes; ++pass) {
-    const std::span<std::uint32_t> begin(&begins[static_cast<std::size_t>(pass) * buckets], buckets);
-    std::exclusive_scan(begin.begin(), begin.end(), begin.begin(), std::uint32_t{0});
-    for (const std::uint64_t item : items) target[begin[digit(item, pass)]++] = item;
+/// A stable sort by cell. Radix sort, least significant digit first: several times faster than comparing.
+template <int kDigit>
+void radix_sort(std::vector<OrderedVector>& items) {
+  constexpr int kPasses = (32 + kDigit - 1) / kDigit;
+  constexpr std::size_t kBuckets = std::size_t{1} << kDigit;
+  const auto digit = [](OrderedVector item, int pass) { return (item >> (32 + kDigit * pass)) & (kBuckets - 1); };
+  std::array<std::array<std::uint32_t, kBuckets>, kPasses> begins{};
+  for (const OrderedVector item : items)
+    for (int pass = 0; pass < kPasses; ++pass) ++begins[pass][digit(item, pass)];
+  std::vector<OrderedVector> target(items.size());
+  for (int pass = 0; pass < kPasses; ++pass) {
+    std::exclusive_scan(begins[pass].begin(), begins[pass].end(), begins[pass].begin(), std::uint32_t{0});
+    for (const OrderedVector item : items) target[begins[pass][digit(item, pass)]++] = item;
     items.swap(target);
   }
 }
 
-/// By direction, equal ones by index.
-bool lexicographically_less(const std::pair<Vector3, std::uint32_t>& a, const std::pair<Vector3, std::uint32_t>& b) {
-  for (int i = 0; i < 3; ++i)
-    if (a.first[i] != b.first[i]) return a.first[i] < b.first[i];
-  return a.second < b.second;
-}
-
 }  // namespace
 
-std::vector<OrderedVector> order_by_direction(std::vector<Vector3>& vectors) {
+DirectionOrder order_by_direction(std::vector<Vector3>& vectors) {
   const CellMap& map = cell_map();
   std::vector<OrderedVector> items(vectors.size());
+  std::atomic<bool> none_above = true, some_counts = false;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vectors.size(), 4096), [&](const auto& range) {
-    find_cells(map, vectors.front().data(), range.begin(), range.end(), items.data());
+    const SizeRange sizes = find_cells(map, vectors.front().data(), range.begin(), range.end(), items.data());
+    if (!sizes.none_above) none_above = false;
+    if (sizes.some_counts) some_counts = true;
   });
   std::erase(items, kDropped);
-  radix_sort_by_high_half(items);
-  return items;
-}
-
-void sort_cell(const std::vector<Vector3>& vectors, std::span<OrderedVector> members) {
-  std::vector<std::pair<Vector3, std::uint32_t>> exact;  // unit vectors and indices
-  exact.reserve(members.size());
-  for (const OrderedVector v : members) exact.emplace_back(vectors[index(v)].normalized(), index(v));
-  std::ranges::sort(exact, lexicographically_less);
-  for (std::size_t i = 0; i < members.size(); ++i) members[i] = cell(members[i]) << 32 | exact[i].second;
+  constexpr std::size_t kFew = 4000;  // the counts of longer digits would take longer than the sorting itself
+  items.size() < kFew ? radix_sort<8>(items) : radix_sort<11>(items);
+  return {std::move(items), none_above && some_counts};
 }
 
 }  // namespace rectilin

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "rectilin/mesh/mesh.h"
@@ -14,12 +13,14 @@ using OrderedVector = std::uint64_t;
 inline std::uint64_t cell(OrderedVector v) { return v >> 32; }
 inline std::uint32_t index(OrderedVector v) { return static_cast<std::uint32_t>(v); }
 
-/// Turns each vector to the same side of a fixed plane (v and -v are the same to the measure), and returns the nonzero
-/// ones along a Hilbert curve over that hemisphere, which has 2^32 cells; those of one cell by index. O(N) if the
-/// directions are spread out. The result is the same for any number of threads and any instruction set.
-std::vector<OrderedVector> order_by_direction(std::vector<Vector3>& vectors);
+struct DirectionOrder {
+  std::vector<OrderedVector> vectors;
+  bool safe;  ///< are the vectors neither so long nor so short that products of squares might overflow or lose digits?
+};
 
-/// Sorts the vectors of one cell by their exact direction, so that parallel ones are neighbours. O(N log N).
-void sort_cell(const std::vector<Vector3>& vectors, std::span<OrderedVector> members);
+/// Turns each vector to the same side of a fixed plane (v and -v are the same to the measure), and returns the nonzero
+/// ones along a Hilbert curve over that hemisphere, which has 2^32 cells; those of one cell by index. O(N). The result
+/// is the same for any number of threads and any instruction set.
+DirectionOrder order_by_direction(std::vector<Vector3>& vectors);
 
 }  // namespace rectilin
