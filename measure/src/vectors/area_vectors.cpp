@@ -74,12 +74,8 @@ void find_area_vectors(const MeshView& mesh, int exponent, std::vector<Vector3>&
 /// have a fixed length, so that the order does not depend on the number of threads.
 void arrange_runs(AreaVectors& vectors) {
   tbb::parallel_for(std::size_t{0}, ceil_div(vectors.size(), kRun), [&](std::size_t part) {
-    const std::size_t begin = part * kRun, end = std::min(begin + kRun, vectors.size());
-    std::vector<Vector3> run;
-    run.reserve(end - begin);
-    for (std::size_t i = begin; i < end; ++i) run.push_back(vectors[i]);
-    arrange(run);
-    for (std::size_t i = begin; i < end; ++i) vectors.set(i, run[i - begin]);
+    const std::size_t begin = part * kRun, size = std::min(kRun, vectors.size() - begin);
+    arrange({&vectors.x[begin], &vectors.y[begin], &vectors.z[begin], size});
   });
 }
 

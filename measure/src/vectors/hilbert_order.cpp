@@ -11,7 +11,7 @@
 #include <numeric>
 #include <utility>
 
-#include "vectors/cell_kernels.h"
+#include "vectors/order_kernels.h"
 
 namespace rectilin {
 namespace {

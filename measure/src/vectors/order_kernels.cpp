@@ -1,19 +1,24 @@
-// The vector loop that orders vectors, compiled once for each instruction set. foreach_target.h includes this file again
+// The vector loops that order vectors, compiled once for each instruction set. foreach_target.h includes this file again
 // for each instruction set and has to come first.
 // clang-format off
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "vectors/cell_kernels.cpp"
+#define HWY_TARGET_INCLUDE "vectors/order_kernels.cpp"
 #include "hwy/foreach_target.h"
 #include "hwy/highway.h"
 // clang-format on
 
-#include "vectors/cell_kernels.h"
+#include "vectors/order_kernels.h"
+
+#include <algorithm>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace rectilin::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
+
+using Rows = std::array<std::array<double, 3>, 3>;
 
 /// A row of the rotation times vectors. Not fused, so that every instruction set rounds alike.
 template <class D, class V = hn::Vec<D>>
@@ -92,6 +97,57 @@ SizeRange all_cells(const CellMap& map, double* vectors, std::size_t begin, std:
   return range;
 }
 
+struct Limits {
+  float least = std::numeric_limits<float>::max(), greatest = std::numeric_limits<float>::lowest();
+};
+
+/// Projects the vectors from `begin` on that fill whole registers of D; returns where it stopped.
+template <class D>
+HWY_INLINE std::size_t project_some(D d, const VectorRun& run, std::size_t begin, const Rows& rows, float* across,
+                                    float* up, Limits* limits) {
+  using V = hn::Vec<D>;
+  const hn::Rebind<float, D> single;
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0), shortest = hn::Set(d, std::numeric_limits<double>::min());
+  hn::Vec<decltype(single)> least[2], greatest[2];
+  for (int k = 0; k < 2; ++k) {
+    least[k] = hn::Set(single, limits[k].least);
+    greatest[k] = hn::Set(single, limits[k].greatest);
+  }
+  const std::size_t lanes = hn::Lanes(d);
+  std::size_t i = begin;
+  for (; i + lanes <= run.size; i += lanes) {
+    const V x = hn::LoadU(d, run.x + i), y = hn::LoadU(d, run.y + i), z = hn::LoadU(d, run.z + i);
+    const V height = product(d, rows[2], x, y, z);
+    const V norm = hn::Sqrt(hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z)));
+    const V size = hn::Add(norm, hn::Abs(height));
+    const V inverse = hn::IfThenElseZero(hn::Ge(size, shortest), hn::CopySign(hn::Div(one, hn::Max(size, shortest)), height));
+    const auto a = hn::DemoteTo(single, hn::Mul(product(d, rows[0], x, y, z), inverse));
+    const auto b = hn::DemoteTo(single, hn::Mul(product(d, rows[1], x, y, z), inverse));
+    hn::StoreU(a, single, across + i);
+    hn::StoreU(b, single, up + i);
+    least[0] = hn::Min(least[0], a), greatest[0] = hn::Max(greatest[0], a);
+    least[1] = hn::Min(least[1], b), greatest[1] = hn::Max(greatest[1], b);
+  }
+  for (int k = 0; k < 2; ++k) {
+    limits[k].least = hn::GetLane(hn::MinOfLanes(single, least[k]));
+    limits[k].greatest = hn::GetLane(hn::MaxOfLanes(single, greatest[k]));
+  }
+  return i;
+}
+
+void project_all(const VectorRun& run, const Rows& rows, float* across, float* up, std::uint16_t* whole_across,
+                 std::uint16_t* whole_up) {
+  Limits limits[2];
+  const std::size_t rest = project_some(hn::ScalableTag<double>(), run, 0, rows, across, up, limits);
+  project_some(hn::CappedTag<double, 1>(), run, rest, rows, across, up, limits);
+  const float extent = std::max({limits[0].greatest - limits[0].least, limits[1].greatest - limits[1].least,
+                                 std::numeric_limits<float>::min()});
+  for (std::size_t i = 0; i < run.size; ++i) {
+    whole_across[i] = static_cast<std::uint16_t>(static_cast<std::int32_t>((across[i] - limits[0].least) / extent * 65535));
+    whole_up[i] = static_cast<std::uint16_t>(static_cast<std::int32_t>((up[i] - limits[1].least) / extent * 65535));
+  }
+}
+
 }  // namespace
 }  // namespace rectilin::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -100,9 +156,15 @@ HWY_AFTER_NAMESPACE();
 namespace rectilin {
 
 HWY_EXPORT(all_cells);
+HWY_EXPORT(project_all);
 
 SizeRange find_cells(const CellMap& map, double* vectors, std::size_t begin, std::size_t end, std::uint64_t* items) {
   return HWY_DYNAMIC_DISPATCH(all_cells)(map, vectors, begin, end, items);
+}
+
+void project(const VectorRun& run, const std::array<std::array<double, 3>, 3>& rows, float* across, float* up,
+             std::uint16_t* whole_across, std::uint16_t* whole_up) {
+  HWY_DYNAMIC_DISPATCH(project_all)(run, rows, across, up, whole_across, whole_up);
 }
 
 }  // namespace rectilin

@@ -1,4 +1,5 @@
-// The interface between the order of vectors (hilbert_order.cpp) and its vector loop (cell_kernels.cpp).
+// The interface between the orders of vectors (hilbert_order.cpp, kd_order.cpp) and their vector loops
+// (order_kernels.cpp). Results are the same for every instruction set, bit for bit.
 #pragma once
 
 #include <array>
@@ -34,7 +35,19 @@ struct SizeRange {
 
 /// For vectors `begin` to `end` (three doubles each): turns the vector to one side in place, and writes an item, with
 /// the place of the vector's cell along the curve in its high half and the index of the vector in the low one, or
-/// kDropped for a vector of length zero. The same for every instruction set, bit for bit.
+/// kDropped for a vector of length zero.
 SizeRange find_cells(const CellMap& map, double* vectors, std::size_t begin, std::size_t end, std::uint64_t* items);
+
+/// Some vectors, component by component.
+struct VectorRun {
+  double *x, *y, *z;
+  std::size_t size;
+};
+
+/// The stereographic projection of directions, up to sign, about the last row of a rotation: small squares stay squares,
+/// and the hemisphere becomes a disc. Both coordinates are scaled alike, such that the longer range is from 0 to 65535.
+/// `across` and `up` are for intermediate results; all arrays have the size of the run.
+void project(const VectorRun& run, const std::array<std::array<double, 3>, 3>& rows, float* across, float* up,
+             std::uint16_t* whole_across, std::uint16_t* whole_up);
 
 }  // namespace rectilin
