@@ -41,9 +41,7 @@ HWY_INLINE V32 place_of(D32 d, const CellMap& map, V32 x, V32 y) {
   static_assert(CellMap::kBits == 16);
   descend(hn::ShiftRight<12>(x), hn::ShiftRight<12>(y));
   descend(hn::ShiftRight<8>(x), hn::ShiftRight<8>(y));
-  descend(hn::ShiftRight<4>(x), hn::ShiftRight<4>(y));
-  descend(x, y);
-  return place;
+  return hn::Or(hn::ShiftLeft<16>(place), hn::Or(hn::ShiftLeft<8>(hn::And(x, place_bits)), hn::And(y, place_bits)));
 }
 
 /// Does the vectors from `begin` on that fill whole registers of D; returns where it stopped.
@@ -107,7 +105,7 @@ HWY_INLINE std::size_t project_some(D d, const VectorRun& run, std::size_t begin
                                     float* up, Limits* limits) {
   using V = hn::Vec<D>;
   const hn::Rebind<float, D> single;
-  const V zero = hn::Zero(d), one = hn::Set(d, 1.0), shortest = hn::Set(d, std::numeric_limits<double>::min());
+  const V one = hn::Set(d, 1.0), shortest = hn::Set(d, std::numeric_limits<double>::min());
   hn::Vec<decltype(single)> least[2], greatest[2];
   for (int k = 0; k < 2; ++k) {
     least[k] = hn::Set(single, limits[k].least);
