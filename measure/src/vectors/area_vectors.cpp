@@ -35,7 +35,6 @@ class ParallelSum {
     squared_ = sum.squaredNorm();
   }
   const Vector3& value() const { return sum_; }
-  double length() const { return std::sqrt(squared_); }
 
  private:
   Vector3 sum_, lost_ = Vector3::Zero();
@@ -96,76 +95,105 @@ int rescale(std::vector<Vector3>& vectors) {
 /// The sums of parallel vectors of one cell.
 class CellSums {
  public:
-  /// Of the members of a cell with several directions. Few are compared with each other; many are sorted by a coordinate
-  /// first, so that only neighbours need to be compared.
-  const std::vector<ParallelSum>& of(const std::vector<Vector3>& vectors, std::span<const OrderedVector> members) {
+  explicit CellSums(const std::vector<Vector3>& vectors) : vectors_(vectors) {}
+
+  /// Most cells hold one direction only. Otherwise few members are compared with each other; many are sorted by a
+  /// coordinate first, so that only neighbours need to be compared.
+  const std::vector<ParallelSum>& of(std::span<const OrderedVector> members) {
     sums_.clear();
-    if (members.size() <= kFew) {
-      for (const OrderedVector v : members) add(vectors[index(v)], sums_.size());
-      return sums_;
-    }
-    sorted_.clear();
     for (const OrderedVector v : members) {
-      const Vector3& vector = vectors[index(v)];
-      sorted_.emplace_back(kAxis.dot(vector) / vector.norm(), index(v));
-    }
-    std::ranges::sort(sorted_);
-    std::size_t near = 0;  // of how many of the latest sums may a vector be parallel to?
-    for (std::size_t i = 0; i < sorted_.size(); ++i) {
-      if (i > 0 && sorted_[i].first - sorted_[i - 1].first > 4 * kParallel) near = 0;
-      const std::size_t before = sums_.size();
-      add(vectors[sorted_[i].second], std::min(near, kFew));
-      near += sums_.size() - before;
+      if (sums_.size() == 2 && members.size() > kFew) return of_sorted(members);
+      add(index(v), sums_.size());
     }
     return sums_;
   }
 
  private:
   static constexpr std::size_t kFew = 8;
-  inline static const Vector3 kAxis = {0.41, -0.62, 0.67};  // arbitrary: no great circle common in meshes is across it
+  inline static const Vector3 kAxis = {0.41, -0.62, 0.67};  // arbitrary, lest many have the same coordinate
 
-  /// Adds a vector to one of the latest `near` sums, or begins another.
-  void add(const Vector3& v, std::size_t near) {
-    const auto last = sums_.rbegin() + static_cast<std::ptrdiff_t>(near);
-    const auto sum = std::find_if(sums_.rbegin(), last, [&](const ParallelSum& s) { return s.accepts(v); });
-    sum == last ? void(sums_.emplace_back(v)) : sum->add(v);
+  const std::vector<ParallelSum>& of_sorted(std::span<const OrderedVector> members) {
+    sums_.clear();
+    sorted_.clear();
+    for (const OrderedVector v : members) {
+      const Vector3& vector = vectors_[index(v)];
+      sorted_.emplace_back(kAxis.dot(vector) / vector.norm(), index(v));
+    }
+    std::ranges::sort(sorted_);
+    std::size_t near = 0;  // to how many of the latest sums may a vector be parallel?
+    for (std::size_t i = 0; i < sorted_.size(); ++i) {
+      if (i > 0 && sorted_[i].first - sorted_[i - 1].first > 4 * kParallel) near = 0;
+      near += add(sorted_[i].second, std::min(near, kFew));
+    }
+    return sums_;
   }
 
+  /// Adds vector i to one of the latest `near` sums, or else begins another. Returns how many it began.
+  std::size_t add(std::size_t i, std::size_t near) {
+    const Vector3& v = vectors_[i];
+    const auto last = sums_.rbegin() + static_cast<std::ptrdiff_t>(near);
+    const auto sum = std::find_if(sums_.rbegin(), last, [&](const ParallelSum& s) { return s.accepts(v); });
+    if (sum != last) return sum->add(v), 0;
+    sums_.emplace_back(v);
+    return 1;
+  }
+
+  const std::vector<Vector3>& vectors_;
   std::vector<ParallelSum> sums_;
-  std::vector<std::pair<double, std::uint32_t>> sorted_;
+  std::vector<std::pair<double, std::uint32_t>> sorted_;  // coordinates and indices
+};
+
+/// Writes merged vectors, a block at a time.
+class Writer {
+ public:
+  explicit Writer(AreaVectors& result) : result_(result) {}
+
+  void write(const Vector3& v) {
+    block_[0][used_] = v.x(), block_[1][used_] = v.y(), block_[2][used_] = v.z();
+    if (++used_ == kBlock) flush();
+  }
+  void finish() {
+    flush();
+    result_.total = static_cast<double>(total_);
+  }
+
+ private:
+  static constexpr std::size_t kBlock = 256;
+
+  void flush() {
+    double lengths[kBlock];
+    for (std::size_t i = 0; i < used_; ++i)
+      lengths[i] = std::sqrt(block_[0][i] * block_[0][i] + block_[1][i] * block_[1][i] + block_[2][i] * block_[2][i]);
+    for (std::size_t i = 0; i < used_; ++i) total_ += lengths[i];
+    AlignedDoubles* components[] = {&result_.x, &result_.y, &result_.z};
+    for (int c = 0; c < 3; ++c) components[c]->insert(components[c]->end(), block_[c], block_[c] + used_);
+    used_ = 0;
+  }
+
+  AreaVectors& result_;
+  double block_[3][kBlock];
+  std::size_t used_ = 0;
+  long double total_ = 0;
 };
 
 /// Adds up those that are parallel among the vectors of each cell.
-AreaVectors merge(const std::vector<Vector3>& vectors, const std::vector<OrderedVector>& order) {
+AreaVectors merge(const std::vector<Vector3>& vectors, std::span<const OrderedVector> order) {
   AreaVectors result;
   result.faces = order.size();
-  for (AlignedDoubles* component : {&result.x, &result.y, &result.z}) component->resize(order.size());
-  std::size_t count = 0;
-  long double total = 0;
-  const auto write = [&](const ParallelSum& sum) {
-    result.set(count++, sum.value());
-    total += sum.length();
-  };
-  const auto at = [&](std::size_t i) -> const Vector3& {
-    constexpr std::size_t kAhead = 32;  // prefetching, because the order jumps through memory
-    __builtin_prefetch(&vectors[index(order[std::min(i + kAhead, order.size() - 1)])]);
-    return vectors[index(order[i])];
-  };
-  CellSums cell_sums;
-  for (std::size_t i = 0, end; i < order.size(); i = end) {
-    ParallelSum sum(at(i));
-    const auto same_cell = [&](std::size_t k) { return k < order.size() && cell(order[k]) == cell(order[i]); };
-    for (end = i + 1; same_cell(end) && sum.accepts(at(end)); ++end) sum.add(at(end));
-    if (!same_cell(end)) {
-      write(sum);
-    } else {
-      while (same_cell(end)) ++end;
-      for (const ParallelSum& part : cell_sums.of(vectors, std::span(order).subspan(i, end - i))) write(part);
-    }
+  for (AlignedDoubles* component : {&result.x, &result.y, &result.z}) component->reserve(order.size());
+  Writer writer(result);
+  CellSums sums(vectors);
+  for (std::size_t i = 0, end = 0; i < order.size(); i = end) {
+    do {
+      constexpr std::size_t kAhead = 32;  // prefetching, because the order jumps through memory
+      __builtin_prefetch(&vectors[index(order[std::min(end + kAhead, order.size() - 1)])]);
+    } while (++end < order.size() && cell(order[end]) == cell(order[i]));
+    if (end - i == 1) writer.write(vectors[index(order[i])]);
+    else
+      for (const ParallelSum& sum : sums.of(order.subspan(i, end - i))) writer.write(sum.value());
   }
-  for (AlignedDoubles* component : {&result.x, &result.y, &result.z}) component->resize(count);
-  result.total = static_cast<double>(total);
-  if (DirectionTree::worthwhile(count)) arrange_runs(result);  // the flat sum needs no order
+  writer.finish();
+  if (DirectionTree::worthwhile(result.size())) arrange_runs(result);  // the flat sum needs no order
   return result;
 }
 

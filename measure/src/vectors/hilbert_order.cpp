@@ -54,38 +54,42 @@ const CellMap& cell_map() {
   return map;
 }
 
-/// A stable sort by cell. Radix sort, least significant digit first: several times faster than comparing.
+/// A stable sort by cell. Radix sort, least significant digit first: several times faster than comparing. Returns
+/// `items` or `other`, of the same size, whichever holds the result.
 template <int kDigit>
-void radix_sort(std::vector<OrderedVector>& items) {
+std::span<OrderedVector> radix_sort(std::span<OrderedVector> items, std::span<OrderedVector> other) {
   constexpr int kPasses = (32 + kDigit - 1) / kDigit;
   constexpr std::size_t kBuckets = std::size_t{1} << kDigit;
   const auto digit = [](OrderedVector item, int pass) { return (item >> (32 + kDigit * pass)) & (kBuckets - 1); };
   std::array<std::array<std::uint32_t, kBuckets>, kPasses> begins{};
   for (const OrderedVector item : items)
     for (int pass = 0; pass < kPasses; ++pass) ++begins[pass][digit(item, pass)];
-  std::vector<OrderedVector> target(items.size());
   for (int pass = 0; pass < kPasses; ++pass) {
     std::exclusive_scan(begins[pass].begin(), begins[pass].end(), begins[pass].begin(), std::uint32_t{0});
-    for (const OrderedVector item : items) target[begins[pass][digit(item, pass)]++] = item;
-    items.swap(target);
+    for (const OrderedVector item : items) other[begins[pass][digit(item, pass)]++] = item;
+    std::swap(items, other);
   }
+  return items;
 }
 
 }  // namespace
 
 DirectionOrder order_by_direction(std::vector<Vector3>& vectors) {
   const CellMap& map = cell_map();
-  std::vector<OrderedVector> items(vectors.size());
+  const std::size_t size = vectors.size();
+  auto memory = std::make_unique_for_overwrite<OrderedVector[]>(2 * size);
+  std::span<OrderedVector> items(memory.get(), size);
   std::atomic<bool> none_above = true, some_counts = false;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vectors.size(), 4096), [&](const auto& range) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size, 4096), [&](const auto& range) {
     const SizeRange sizes = find_cells(map, vectors.front().data(), range.begin(), range.end(), items.data());
     if (!sizes.none_above) none_above = false;
     if (sizes.some_counts) some_counts = true;
   });
-  std::erase(items, kDropped);
+  items = items.first(static_cast<std::size_t>(std::ranges::remove(items, kDropped).begin() - items.begin()));
+  const std::span<OrderedVector> other(memory.get() + size, items.size());
   constexpr std::size_t kFew = 4000;  // the counts of longer digits would take longer than the sorting itself
-  items.size() < kFew ? radix_sort<8>(items) : radix_sort<11>(items);
-  return {std::move(items), none_above && some_counts};
+  items = items.size() < kFew ? radix_sort<8>(items, other) : radix_sort<11>(items, other);
+  return {std::move(memory), items, none_above && some_counts};
 }
 
 }  // namespace rectilin

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "rectilin/mesh/mesh.h"
@@ -14,7 +16,8 @@ inline std::uint64_t cell(OrderedVector v) { return v >> 32; }
 inline std::uint32_t index(OrderedVector v) { return static_cast<std::uint32_t>(v); }
 
 struct DirectionOrder {
-  std::vector<OrderedVector> vectors;
+  std::unique_ptr<OrderedVector[]> memory;
+  std::span<const OrderedVector> vectors;
   bool safe;  ///< are the vectors neither so long nor so short that products of squares might overflow or lose digits?
 };
 
