@@ -158,13 +158,14 @@ class Writer {
   }
 
  private:
-  static constexpr std::size_t kBlock = 256;
+  static constexpr Eigen::Index kBlock = 256;
 
   void flush() {
     double lengths[kBlock];
-    for (std::size_t i = 0; i < used_; ++i)
-      lengths[i] = std::sqrt(block_[0][i] * block_[0][i] + block_[1][i] * block_[1][i] + block_[2][i] * block_[2][i]);
-    for (std::size_t i = 0; i < used_; ++i) total_ += lengths[i];
+    const auto component = [&](int c) { return Eigen::Map<const Eigen::ArrayXd>(block_[c], used_); };
+    Eigen::Map<Eigen::ArrayXd> length(lengths, used_);
+    length = (component(0).square() + component(1).square() + component(2).square()).sqrt();
+    for (const double l : length) total_ += l;
     AlignedDoubles* components[] = {&result_.x, &result_.y, &result_.z};
     for (int c = 0; c < 3; ++c) components[c]->insert(components[c]->end(), block_[c], block_[c] + used_);
     used_ = 0;
@@ -172,7 +173,7 @@ class Writer {
 
   AreaVectors& result_;
   double block_[3][kBlock];
-  std::size_t used_ = 0;
+  Eigen::Index used_ = 0;
   long double total_ = 0;
 };
 

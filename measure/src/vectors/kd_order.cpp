@@ -94,14 +94,6 @@ class Halving {
 
 }  // namespace
 
-void align(std::vector<Vector3>& run) {
-  Vector3 before(0.48, 0.36, 0.8);
-  for (Vector3& v : run) {
-    if (before.dot(v) < 0) v = -v;
-    if (!v.isZero(0)) before = v;
-  }
-}
-
 void arrange(const VectorRun& run) {
   if (run.size <= kLeaf) return;
   const Halving halving(plane_coordinates(run));

@@ -11,11 +11,6 @@ namespace rectilin {
 /// The longest run that arrange() accepts.
 inline constexpr std::size_t kRun = 32768;
 
-/// Chooses the signs of a run. The sign of an area vector has no meaning, but vectors that are neighbours up to sign
-/// must point the same way for their sum to stand for them. So each is turned to the side of the one before it, and the
-/// first to that of an arbitrary axis.
-void align(std::vector<Vector3>& run);
-
 /// Halves the vectors at the median of one of two coordinates in the plane, the one in which they extend further,
 /// then halves each half likewise, down to kLeaf vectors: a k-d tree (Bentley 1975). Signs do not matter and are
 /// not changed.
