@@ -47,7 +47,7 @@ std::vector<Vector3> fill_runs(const AreaVectors& vectors, DirectionLeaf* leaves
                                std::uint64_t unit) {
   std::vector<Vector3> sums(count);
   const VectorSpan<double> all{vectors.x.data(), vectors.y.data(), vectors.z.data(), vectors.size()};
-  tbb::parallel_for(std::size_t{0}, ceil_div(vectors.size(), kRun), [&](std::size_t part) {
+  tbb::parallel_for(std::size_t{0}, ceil_div(count * kLeaf, kRun), [&](std::size_t part) {
     const std::size_t begin = part * kRun, leaf = begin / kLeaf;
     fill_leaves(all.slice(begin, std::min(begin + kRun, all.size)), unit, leaves + leaf, sums.data() + leaf);
   });

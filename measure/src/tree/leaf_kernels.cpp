@@ -94,7 +94,8 @@ void fill(const VectorSpan<double>& run, std::uint64_t unit, DirectionLeaf* leav
   // A leaf with the vector before it. The first and the last are copied here, because they have not all neighbours.
   double window[3][1 + kLeaf] = {{0.48}, {0.36}, {0.8}};
   unsigned flipped = 0;  // is the vector before the leaf turned? all bits or none
-  for (std::size_t begin = 0; begin < run.size; begin += kLeaf) {
+  std::size_t begin = 0;
+  do {  // a run without vectors has a leaf of zeros
     const std::size_t end = std::min(begin + kLeaf, run.size);
     const double* c[3] = {run.x + begin, run.y + begin, run.z + begin};
     if (begin == 0 || end - begin < kLeaf) {
@@ -109,7 +110,8 @@ void fill(const VectorSpan<double>& run, std::uint64_t unit, DirectionLeaf* leav
     flips = (flips ^ flipped) & 255;
     flipped = flips >> (kLeaf - 1) ? 255 : 0;
     *sums++ = fill_leaf(c[0], c[1], c[2], flips, unit, *leaves++);
-  }
+    begin = end;
+  } while (begin < run.size);
 }
 
 }  // namespace

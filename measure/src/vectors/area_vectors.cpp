@@ -73,8 +73,7 @@ void find_area_vectors(const MeshView& mesh, int exponent, std::vector<Vector3>&
 /// have a fixed length, so that the order does not depend on the number of threads.
 void arrange_runs(AreaVectors& vectors) {
   tbb::parallel_for(std::size_t{0}, ceil_div(vectors.size(), kRun), [&](std::size_t part) {
-    const std::size_t begin = part * kRun, size = std::min(kRun, vectors.size() - begin);
-    arrange({&vectors.x[begin], &vectors.y[begin], &vectors.z[begin], size});
+    arrange(vectors, part * kRun, std::min((part + 1) * kRun, vectors.size()));
   });
 }
 

@@ -10,6 +10,7 @@
 
 #include "rectilin/base/ceil_div.h"
 #include "tree/direction_tree_kernels.h"
+#include "vectors/order_kernels.h"
 
 namespace rectilin {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 using Places = std::vector<std::uint16_t>;
 
 /// The coordinates of the run's directions in a plane about their mean.
-std::array<Places, 2> plane_coordinates(const VectorRun& run) {
+std::array<Places, 2> plane_coordinates(const VectorSpan<double>& run) {
   constexpr std::size_t kStep = 16;  // the mean of some vectors serves as well
   Vector3 sum = Vector3::Zero();
   for (std::size_t i = 0; i < run.size; i += kStep) sum += Vector3(run.x[i], run.y[i], run.z[i]);
@@ -94,13 +95,15 @@ class Halving {
 
 }  // namespace
 
-void arrange(const VectorRun& run) {
-  if (run.size <= kLeaf) return;
-  const Halving halving(plane_coordinates(run));
-  std::vector<double> before(run.size);
-  for (double* component : {run.x, run.y, run.z}) {
-    std::copy_n(component, run.size, before.begin());
-    for (std::size_t i = 0; i < run.size; ++i) component[i] = before[halving.order()[i]];
+void arrange(AreaVectors& vectors, std::size_t begin, std::size_t end) {
+  if (end - begin <= kLeaf) return;
+  const VectorSpan<double> all{vectors.x.data(), vectors.y.data(), vectors.z.data(), vectors.size()};
+  const Halving halving(plane_coordinates(all.slice(begin, end)));
+  std::vector<double> before(end - begin);
+  for (AlignedDoubles* component : {&vectors.x, &vectors.y, &vectors.z}) {
+    double* const run = component->data() + begin;
+    std::copy_n(run, before.size(), before.begin());
+    for (std::size_t i = 0; i < before.size(); ++i) run[i] = before[halving.order()[i]];
   }
 }
 

@@ -101,7 +101,7 @@ struct Limits {
 
 /// Projects the vectors from `begin` on that fill whole registers of D; returns where it stopped.
 template <class D>
-HWY_INLINE std::size_t project_some(D d, const VectorRun& run, std::size_t begin, const Rows& rows, float* across,
+HWY_INLINE std::size_t project_some(D d, const VectorSpan<double>& run, std::size_t begin, const Rows& rows, float* across,
                                     float* up, Limits* limits) {
   using V = hn::Vec<D>;
   const hn::Rebind<float, D> single;
@@ -133,7 +133,7 @@ HWY_INLINE std::size_t project_some(D d, const VectorRun& run, std::size_t begin
   return i;
 }
 
-void project_all(const VectorRun& run, const Rows& rows, float* across, float* up, std::uint16_t* whole_across,
+void project_all(const VectorSpan<double>& run, const Rows& rows, float* across, float* up, std::uint16_t* whole_across,
                  std::uint16_t* whole_up) {
   Limits limits[2];
   const std::size_t rest = project_some(hn::ScalableTag<double>(), run, 0, rows, across, up, limits);
@@ -160,7 +160,7 @@ SizeRange find_cells(const CellMap& map, double* vectors, std::size_t begin, std
   return HWY_DYNAMIC_DISPATCH(all_cells)(map, vectors, begin, end, items);
 }
 
-void project(const VectorRun& run, const std::array<std::array<double, 3>, 3>& rows, float* across, float* up,
+void project(const VectorSpan<double>& run, const std::array<std::array<double, 3>, 3>& rows, float* across, float* up,
              std::uint16_t* whole_across, std::uint16_t* whole_up) {
   HWY_DYNAMIC_DISPATCH(project_all)(run, rows, across, up, whole_across, whole_up);
 }

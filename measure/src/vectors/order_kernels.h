@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "sums/flat_sum_kernels.h"
+
 namespace rectilin {
 
 /// How a direction becomes a cell.
@@ -38,16 +40,10 @@ struct SizeRange {
 /// kDropped for a vector of length zero.
 SizeRange find_cells(const CellMap& map, double* vectors, std::size_t begin, std::size_t end, std::uint64_t* items);
 
-/// Some vectors, component by component.
-struct VectorRun {
-  double *x, *y, *z;
-  std::size_t size;
-};
-
 /// The stereographic projection of directions, up to sign, about the last row of a rotation: small squares stay squares,
 /// and the hemisphere becomes a disc. Both coordinates are scaled alike, such that the longer range is from 0 to 65535.
 /// `across` and `up` are for intermediate results; all arrays have the size of the run.
-void project(const VectorRun& run, const std::array<std::array<double, 3>, 3>& rows, float* across, float* up,
+void project(const VectorSpan<double>& run, const std::array<std::array<double, 3>, 3>& rows, float* across, float* up,
              std::uint16_t* whole_across, std::uint16_t* whole_up);
 
 }  // namespace rectilin
