@@ -79,9 +79,8 @@ HWY_INLINE unsigned turns(const double* x, const double* y, const double* z) {
   const D d;
   unsigned result = 0;
   for (std::size_t lane = 0; lane < kLeaf; lane += hn::Lanes(d)) {
-    const auto product = [&](const double* c) HWY_ATTR {
-      return hn::Mul(hn::LoadU(d, c + lane), hn::LoadU(d, c + lane - 1));
-    };
+    const auto product = [&](const double* c)
+                             HWY_ATTR { return hn::Mul(hn::LoadU(d, c + lane), hn::LoadU(d, c + lane - 1)); };
     const V dot = hn::Add(hn::Add(product(x), product(y)), product(z));
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(d, hn::Lt(dot, hn::Zero(d)), bits);

@@ -10,9 +10,9 @@ namespace rectilin {
 /// The longest run that arrange() accepts.
 inline constexpr std::size_t kRun = 32768;
 
-/// Halves the vectors `begin` to `end` at the median of one of two coordinates in the plane, the one in which they extend further,
-/// then halves each half likewise, down to kLeaf vectors: a k-d tree (Bentley 1975). Signs do not matter and are
-/// not changed.
+/// Halves the vectors `begin` to `end` at the median of one of two coordinates in the plane, the one in which they
+/// extend further, then halves each half likewise, down to kLeaf vectors: a k-d tree (Bentley 1975). Signs do not
+/// matter and are not changed.
 ///
 /// The runs of the Hilbert curve are longer than wide, and begin and end anywhere. Reordered like this, a great circle
 /// meets 18 % fewer leaves of a smooth mesh of a million faces.

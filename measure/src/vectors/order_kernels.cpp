@@ -1,5 +1,5 @@
-// The vector loops that order vectors, compiled once for each instruction set. foreach_target.h includes this file again
-// for each instruction set and has to come first.
+// The vector loops that order vectors, compiled once for each instruction set. foreach_target.h includes this file
+// again for each instruction set and has to come first.
 // clang-format off
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "vectors/order_kernels.cpp"
@@ -101,8 +101,8 @@ struct Limits {
 
 /// Projects the vectors from `begin` on that fill whole registers of D; returns where it stopped.
 template <class D>
-HWY_INLINE std::size_t project_some(D d, const VectorSpan<double>& run, std::size_t begin, const Rows& rows, float* across,
-                                    float* up, Limits* limits) {
+HWY_INLINE std::size_t project_some(D d, const VectorSpan<double>& run, std::size_t begin, const Rows& rows,
+                                    float* across, float* up, Limits* limits) {
   using V = hn::Vec<D>;
   const hn::Rebind<float, D> single;
   const V one = hn::Set(d, 1.0), shortest = hn::Set(d, std::numeric_limits<double>::min());
@@ -118,7 +118,8 @@ HWY_INLINE std::size_t project_some(D d, const VectorSpan<double>& run, std::siz
     const V height = product(d, rows[2], x, y, z);
     const V norm = hn::Sqrt(hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z)));
     const V size = hn::Add(norm, hn::Abs(height));
-    const V inverse = hn::IfThenElseZero(hn::Ge(size, shortest), hn::CopySign(hn::Div(one, hn::Max(size, shortest)), height));
+    const V inverse =
+        hn::IfThenElseZero(hn::Ge(size, shortest), hn::CopySign(hn::Div(one, hn::Max(size, shortest)), height));
     const auto a = hn::DemoteTo(single, hn::Mul(product(d, rows[0], x, y, z), inverse));
     const auto b = hn::DemoteTo(single, hn::Mul(product(d, rows[1], x, y, z), inverse));
     hn::StoreU(a, single, across + i);
@@ -138,10 +139,11 @@ void project_all(const VectorSpan<double>& run, const Rows& rows, float* across,
   Limits limits[2];
   const std::size_t rest = project_some(hn::ScalableTag<double>(), run, 0, rows, across, up, limits);
   project_some(hn::CappedTag<double, 1>(), run, rest, rows, across, up, limits);
-  const float extent = std::max({limits[0].greatest - limits[0].least, limits[1].greatest - limits[1].least,
-                                 std::numeric_limits<float>::min()});
+  const float extent = std::max(
+      {limits[0].greatest - limits[0].least, limits[1].greatest - limits[1].least, std::numeric_limits<float>::min()});
   for (std::size_t i = 0; i < run.size; ++i) {
-    whole_across[i] = static_cast<std::uint16_t>(static_cast<std::int32_t>((across[i] - limits[0].least) / extent * 65535));
+    whole_across[i] =
+        static_cast<std::uint16_t>(static_cast<std::int32_t>((across[i] - limits[0].least) / extent * 65535));
     whole_up[i] = static_cast<std::uint16_t>(static_cast<std::int32_t>((up[i] - limits[1].least) / extent * 65535));
   }
 }

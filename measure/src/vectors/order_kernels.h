@@ -40,9 +40,9 @@ struct SizeRange {
 /// kDropped for a vector of length zero.
 SizeRange find_cells(const CellMap& map, double* vectors, std::size_t begin, std::size_t end, std::uint64_t* items);
 
-/// The stereographic projection of directions, up to sign, about the last row of a rotation: small squares stay squares,
-/// and the hemisphere becomes a disc. Both coordinates are scaled alike, such that the longer range is from 0 to 65535.
-/// `across` and `up` are for intermediate results; all arrays have the size of the run.
+/// The stereographic projection of directions, up to sign, about the last row of a rotation: small squares stay
+/// squares, and the hemisphere becomes a disc. Both coordinates are scaled alike, such that the longer range is from 0
+/// to 65535. `across` and `up` are for intermediate results; all arrays have the size of the run.
 void project(const VectorSpan<double>& run, const std::array<std::array<double, 3>, 3>& rows, float* across, float* up,
              std::uint16_t* whole_across, std::uint16_t* whole_up);
 
