@@ -66,20 +66,6 @@ TEST_CASE("merging keeps the sum of lengths and every projected sum", "[area_vec
   }
 }
 
-TEST_CASE("many vectors of directions that are close together are told apart", "[area_vectors]") {
-  Random random(5);
-  for (int trial = 0; trial < 30; ++trial) {
-    const Vector3 v = test::random_vector(random).normalized();
-    std::vector<Vector3> vectors;
-    for (int direction = 0; direction < 25; ++direction) {
-      const Vector3 tilted = v + 1e-7 * test::random_vector(random);
-      for (int copies = 0; copies < 40; ++copies) vectors.push_back(tilted * random.uniform(-2, 2));
-    }
-    std::shuffle(vectors.begin(), vectors.end(), std::mt19937_64(1));
-    REQUIRE(area_vectors(std::move(vectors)).size() == 25);
-  }
-}
-
 TEST_CASE("zero vectors weigh nothing", "[area_vectors]") {
   const AreaVectors v = area_vectors({{0, 0, 0}, {1, 0, 0}, {-0.0, 0, 0}});
   REQUIRE(v.size() == 1);
