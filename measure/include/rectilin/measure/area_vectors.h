@@ -19,8 +19,8 @@ using AlignedDoubles = CacheAligned<double>;
 /// direction the normal. P(R) depends only on these vectors, up to sign, and those of faces with parallel normals add
 /// up (|u.v| + |u.cv| = |u.(1+c)v|), so each distinct direction is kept once.
 ///
-/// Lengths are scaled by a power of two such that the largest coordinate extent of a triangle lies in [1/2, 1) or, if
-/// all vectors are very short, the longest is about 1. Neither R nor any ratio of areas depends on the scale; area()
+/// If the longest vector is very long or very short (about 2^96 or 2^-64), lengths are scaled by a power of two, so that
+/// products of their squares neither overflow nor vanish. Neither R nor any ratio of areas depends on the scale; area()
 /// undoes it.
 struct AreaVectors {
   AlignedDoubles x, y, z;  ///< components, on one hemisphere, ordered so that neighbours have similar directions
