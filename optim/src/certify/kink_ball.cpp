@@ -12,7 +12,6 @@ namespace {
 
 /// Generators this close to orthogonal to an axis (radians) may be given free signs. One that is not exactly orthogonal
 /// costs its |r . v|, so the largest tolerance need not give the largest ball.
-/// |r . v|, so the largest tolerance need not give the largest ball.
 constexpr double kBallTolerances[] = {1e-12, 1e-10, 1e-8, 1e-6, 1e-4};
 constexpr std::size_t kMostFree = 200, kMostSummands = 24;
 

@@ -1,5 +1,6 @@
 #include "certify/sieve.h"
 
+#include <algorithm>
 #include <bit>
 
 #include "certify/sieve_kernels.h"

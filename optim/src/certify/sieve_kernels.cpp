@@ -8,6 +8,8 @@
 
 #include "certify/sieve_kernels.h"
 
+#include <algorithm>
+
 HWY_BEFORE_NAMESPACE();
 namespace rectilin::certification::HWY_NAMESPACE {
 namespace {
