@@ -7,6 +7,7 @@
 
 #include "rectilin/base/rotation.h"
 #include "rectilin/measure/area_vectors.h"
+#include "rectilin/measure/flat_sum.h"
 #include "rectilin/mesh/shapes.h"
 #include "support/catch.h"
 #include "support/random_meshes.h"
@@ -63,6 +64,94 @@ TEST_CASE("merging keeps the sum of lengths and every projected sum", "[area_vec
   for (int i = 0; i < 100; ++i) {
     const auto [before, after] = sum_over(test::random_vector(random));
     REQUIRE(after == Approx(before).epsilon(1e-13));
+  }
+}
+
+TEST_CASE("many vectors of directions that are close together are told apart", "[area_vectors]") {
+  Random random(5);
+  for (int trial = 0; trial < 30; ++trial) {
+    const Vector3 v = test::random_vector(random).normalized();
+    std::vector<Vector3> vectors;
+    for (int direction = 0; direction < 25; ++direction) {
+      const Vector3 tilted = v + 1e-7 * test::random_vector(random);
+      for (int copies = 0; copies < 40; ++copies) vectors.push_back(tilted * random.uniform(-2, 2));
+    }
+    std::shuffle(vectors.begin(), vectors.end(), std::mt19937_64(1));
+    REQUIRE(area_vectors(std::move(vectors)).size() == 25);
+  }
+}
+
+TEST_CASE("a few vectors of directions that are close together are told apart", "[area_vectors]") {
+  Random random(6);
+  for (int trial = 0; trial < 200; ++trial) {
+    const Vector3 v = test::random_vector(random).normalized();
+    const Vector3 a = v + 1e-8 * test::random_vector(random), b = v + 1e-8 * test::random_vector(random);
+    REQUIRE(area_vectors({a, b}).size() == 2);
+    REQUIRE(area_vectors({a, b, 3 * a, -2 * b}).size() == 2);
+    REQUIRE(area_vectors({a, 2 * a, b, 0.7 * b, -a, 0.3 * a, 0.1 * b}).size() == 2);
+  }
+}
+
+TEST_CASE("neighbours have similar directions", "[area_vectors]") {
+  Random random(12);
+  for (const std::size_t size : {2000u, 20'000u}) {
+    INFO(size);
+    std::vector<Vector3> vectors(size);
+    for (Vector3& v : vectors) v = test::random_vector(random).normalized();
+    const AreaVectors sorted = area_vectors(std::move(vectors));
+    double sines = 0;
+    for (std::size_t i = 1; i < sorted.size(); ++i) sines += sorted[i - 1].cross(sorted[i]).norm();
+    const double spacing = std::sqrt(2 * std::numbers::pi / static_cast<double>(size));
+    REQUIRE(sines < 1.1 * spacing * static_cast<double>(size));
+  }
+}
+
+TEST_CASE("the leaves of a tree hold squares of directions", "[area_vectors]") {
+  Random random(13);
+  std::vector<Vector3> vectors(80'000);
+  for (Vector3& v : vectors) v = test::random_vector(random).normalized();
+  const AreaVectors sorted = area_vectors(std::move(vectors));
+  double sines = 0;  // the largest between the first and another vector of each leaf, summed
+  for (std::size_t begin = 0; begin < sorted.size(); begin += 8) {
+    double largest = 0;
+    for (std::size_t i = begin + 1; i < begin + 8; ++i)
+      largest = std::max(largest, sorted[begin].cross(sorted[i]).norm());
+    sines += largest;
+  }
+  const double side = std::sqrt(8 * 2 * std::numbers::pi / 80'000);
+  REQUIRE(sines / 10'000 < 1.1 * side);
+}
+
+TEST_CASE("the same vectors for any instruction set", "[area_vectors]") {
+  const Mesh mesh = make_shape(Spec::parse("blob?faces=50000"));
+  const AreaVectors reference = area_vectors(mesh);
+  for (const std::string& name : instruction_sets()) {
+    INFO(name);
+    const ScopedInstructionSet target(name);
+    const AreaVectors v = area_vectors(mesh);
+    REQUIRE(v.x == reference.x);
+    REQUIRE(v.y == reference.y);
+    REQUIRE(v.z == reference.z);
+    REQUIRE(v.total == reference.total);
+  }
+}
+
+TEST_CASE("vectors may be of any scale, but must be finite", "[area_vectors]") {
+  Random random(14);
+  std::vector<Vector3> vectors;
+  for (int i = 0; i < 50; ++i) vectors.push_back(test::random_vector(random));
+  const double area = area_vectors(vectors).area();
+  for (const double scale : {1e-300, 1e-100, 1e-30, 1e30, 1e100, 1e300}) {
+    INFO(scale);
+    std::vector<Vector3> scaled = vectors;
+    for (Vector3& v : scaled) v *= scale;
+    const AreaVectors result = area_vectors(std::move(scaled));
+    REQUIRE(result.size() == 50);
+    REQUIRE(result.area() == Approx(area * scale).epsilon(1e-13));
+  }
+  for (const double bad : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    vectors[20].y() = bad;
+    REQUIRE_THROWS_AS(area_vectors(vectors), MeshError);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "rectilin/measure/projected_area.h"
 #include "support/catch.h"
 #include "support/sum_fixtures.h"
+#include "tree/leaf_kernels.h"
 
 using namespace rectilin;
 
@@ -90,6 +91,36 @@ TEST_CASE("the tree's sums and cuts are exact at every size", "[direction_tree]"
   }
   check_exact(ellipsoid(2));
   check_exact(ellipsoid(24));
+}
+
+TEST_CASE("the vectors of a leaf point to one side whatever their signs were", "[direction_tree]") {
+  Random random(21);
+  const Vector3 axis = Vector3(3, -1, 2).normalized();
+  for (const std::string& name : instruction_sets()) {
+    const ScopedInstructionSet target(name);
+    for (const std::size_t size : {0u, 1u, 7u, 8u, 9u, 16u, 203u}) {
+      CAPTURE(name, size);
+      std::vector<double> x, y, z, lengths(size / kLeaf + 1);
+      for (std::size_t i = 0; i < size; ++i) {
+        const Vector3 v = (axis + 0.01 * Vector3(random.normal(), random.normal(), random.normal())) *
+                          (random.below(2) == 0 ? -1 : 1);
+        x.push_back(v.x()), y.push_back(v.y()), z.push_back(v.z());
+        lengths[i / kLeaf] += std::abs(axis.dot(v));
+      }
+      std::vector<DirectionLeaf> leaves(lengths.size());
+      std::vector<Vector3> sums(lengths.size(), Vector3::Zero());
+      fill_leaves({x.data(), y.data(), z.data(), size}, leaf_unit(1), leaves.data(), sums.data());
+      for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf) {
+        REQUIRE(axis.dot(sums[leaf]) == Approx(lengths[leaf]).epsilon(1e-12));
+        for (std::size_t i = leaf * kLeaf; i < (leaf + 1) * kLeaf && i < size; ++i) {
+          const std::size_t j = i % kLeaf;
+          const double units = 256.0 * leaves[leaf].high[0][j] + leaves[leaf].low[0][j];
+          const auto exponent = static_cast<int>(leaf_unit(1)) - 1023 - leaves[leaf].exponent[j];
+          REQUIRE(std::ldexp(units, exponent) == Approx(std::copysign(x[i], axis.x())).epsilon(1e-11));
+        }
+      }
+    }
+  }
 }
 
 TEST_CASE("errors of the tree's shortened vectors average out", "[direction_tree]") {

@@ -2,13 +2,14 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <vector>
 
 #include "rectilin/base/ceil_div.h"
 #include "rectilin/measure/direction_tree.h"
 #include "tree/direction_tree_kernels.h"
-#include "tree/pack.h"
+#include "tree/leaf_kernels.h"
 #include "tree/storage.h"
 #include "vectors/kd_order.h"
 
@@ -31,22 +32,24 @@ constexpr std::size_t kLargestShare = 8;
 constexpr std::size_t kFreeShare = 512;
 constexpr std::size_t kFewest = 96;
 
+/// Writes child j of a family: the sum of its vectors, and |sum| sin(radius of their cap).
+void pack_node(DirectionFamily& family, std::size_t j, const Vector3& sum, double radius) {
+  const auto bits = std::bit_cast<std::uint64_t>(radius);
+  constexpr int kDropped = 39;
+  std::uint64_t kept = (bits + (std::uint64_t{1} << kDropped) - 1) >> kDropped;
+  for (int c = 2; c >= 0; --c, kept >>= 8)
+    family.sums[c][j] = (std::bit_cast<std::uint64_t>(sum[c]) & ~std::uint64_t{255}) | (kept & 255);
+}
+
 /// Fills all leaves and returns their sums. Runs have a fixed length, so that signs do not depend on the number
 /// of threads.
-std::vector<Vector3> fill_leaves(const AreaVectors& vectors, DirectionLeaf* leaves, std::size_t count,
-                                 std::uint64_t unit) {
-  std::vector<Vector3> sums(count, Vector3::Zero());
+std::vector<Vector3> fill_runs(const AreaVectors& vectors, DirectionLeaf* leaves, std::size_t count,
+                               std::uint64_t unit) {
+  std::vector<Vector3> sums(count);
+  const VectorSpan<double> all{vectors.x.data(), vectors.y.data(), vectors.z.data(), vectors.size()};
   tbb::parallel_for(std::size_t{0}, ceil_div(count * kLeaf, kRun), [&](std::size_t part) {
-    const std::size_t begin = part * kRun, end = std::min(begin + kRun, vectors.size());
-    std::vector<Vector3> run;
-    for (std::size_t i = begin; i < end; ++i) run.push_back(vectors[i]);
-    align(run);
-    run.resize(std::min(kRun, count * kLeaf - begin), Vector3::Zero());
-    for (std::size_t i = 0; i < run.size(); ++i) {
-      const std::size_t leaf = (begin + i) / kLeaf;
-      pack_vector(leaves[leaf], i % kLeaf, run[i], unit);
-      sums[leaf] += run[i];
-    }
+    const std::size_t begin = part * kRun, leaf = begin / kLeaf;
+    fill_leaves(all.slice(begin, std::min(begin + kRun, all.size)), unit, leaves + leaf, sums.data() + leaf);
   });
   return sums;
 }
@@ -104,7 +107,7 @@ DirectionTree::DirectionTree(const AreaVectors& vectors) : flat_(vectors), kerne
   auto nodes = std::make_shared<DirectionTreeNodes>();
   nodes->leaves = leaves;
   nodes->unit = leaf_unit(vectors.total);
-  std::vector<Vector3> sums = fill_leaves(vectors, leaves, leaf_count, nodes->unit);
+  std::vector<Vector3> sums = fill_runs(vectors, leaves, leaf_count, nodes->unit);
   std::size_t stride = 1;
   for (const std::size_t count : families) {
     fill_level(*kernels_, *nodes, leaf_count, sums, stride, level);

@@ -5,8 +5,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -24,7 +24,7 @@ class ParallelSum {
  public:
   explicit ParallelSum(const Vector3& first) : sum_(first), squared_(first.squaredNorm()) {}
 
-  bool accepts(const Vector3& v) const {
+  [[gnu::always_inline]] bool accepts(const Vector3& v) const {
     return sum_.cross(v).squaredNorm() <= kParallel * kParallel * squared_ * v.squaredNorm();
   }
   void add(const Vector3& v) {
@@ -35,7 +35,6 @@ class ParallelSum {
     squared_ = sum.squaredNorm();
   }
   const Vector3& value() const { return sum_; }
-  double length() const { return std::sqrt(squared_); }
 
  private:
   Vector3 sum_, lost_ = Vector3::Zero();
@@ -55,55 +54,149 @@ int length_exponent(const MeshView& mesh) {
   return exponent;
 }
 
-/// The area vectors of the triangles (eqs. 5-7) in units of 2^exponent. Returns whether these units serve: all vectors
-/// are finite, and the longest is neither so long nor so short that products of squares might overflow or lose digits.
-bool find_area_vectors(const MeshView& mesh, int exponent, std::vector<Vector3>& vectors) {
-  constexpr double kLeast = 0x1p-96, kMost = 0x1p96;
+/// The area vectors of the triangles (eqs. 5-7) in units of 2^exponent.
+void find_area_vectors(const MeshView& mesh, int exponent, std::vector<Vector3>& vectors) {
   const double scale = std::ldexp(1.0, -exponent / 2);  // half the exponent, applied twice: 2^-exponent might overflow
   const double rest = std::ldexp(1.0, -exponent - (-exponent / 2));
-  std::atomic<bool> finite = true, long_enough = false;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vectors.size(), 4096), [&](const auto& range) {
-    double largest = 0;
-    bool in_range = true;
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const Triangle& t = mesh.triangles[i];
       const Vector3& origin = mesh.vertices[t[0]];
       Vector3 a = mesh.vertices[t[1]] - origin, b = mesh.vertices[t[2]] - origin;
       if (exponent != 0) a = a * scale * rest, b = b * scale * rest;
       vectors[i] = 0.5 * a.cross(b);
-      const double size = vectors[i].cwiseAbs().sum();
-      in_range &= size <= kMost;  // false for what is not a number as well
-      largest = std::max(largest, size);
     }
-    if (!in_range) finite = false;
-    if (largest >= kLeast) long_enough = true;
   });
-  return finite && long_enough;
 }
 
 /// Reorders runs of vectors that are neighbours along the curve so that neighbours in the plane stand together. Runs
 /// have a fixed length, so that the order does not depend on the number of threads.
 void arrange_runs(AreaVectors& vectors) {
   tbb::parallel_for(std::size_t{0}, ceil_div(vectors.size(), kRun), [&](std::size_t part) {
-    const std::size_t begin = part * kRun, end = std::min(begin + kRun, vectors.size());
-    std::vector<Vector3> run;
-    run.reserve(end - begin);
-    for (std::size_t i = begin; i < end; ++i) run.push_back(vectors[i]);
-    arrange(run);
-    for (std::size_t i = begin; i < end; ++i) vectors.set(i, run[i - begin]);
+    arrange(vectors, part * kRun, std::min((part + 1) * kRun, vectors.size()));
   });
 }
 
-/// Scales vectors that are all short to lengths of about 1, so that products of their squares do not underflow; returns
-/// the exponent that undoes this.
-int lengthen(std::vector<Vector3>& vectors) {
-  constexpr double kShort = 0x1p-64;
+/// Scales vectors such that the longest has a length of about 1, so that products of squares neither overflow nor
+/// vanish; returns the exponent that undoes this.
+int rescale(std::vector<Vector3>& vectors) {
   double largest = 0;
-  for (const Vector3& v : vectors) largest = std::max(largest, v.cwiseAbs().maxCoeff());
-  if (!(largest > 0 && largest < kShort)) return 0;
+  for (const Vector3& v : vectors) {
+    if (!v.allFinite()) throw MeshError("a vector is not finite");
+    largest = std::max(largest, v.cwiseAbs().maxCoeff());
+  }
+  if (largest == 0) return 0;
   const int exponent = std::ilogb(largest);
   for (Vector3& v : vectors) v = v.unaryExpr([exponent](double c) { return std::ldexp(c, -exponent); });
   return exponent;
+}
+
+/// The sums of parallel vectors of one cell.
+class CellSums {
+ public:
+  explicit CellSums(const std::vector<Vector3>& vectors) : vectors_(vectors) {}
+
+  /// Most cells hold one direction only. Otherwise few members are compared with each other; many are sorted by a
+  /// coordinate first, so that only neighbours need to be compared.
+  const std::vector<ParallelSum>& of(std::span<const OrderedVector> members) {
+    sums_.clear();
+    sums_.emplace_back(vectors_[index(members[0])]);
+    std::size_t i = 1;
+    while (i < members.size() && sums_[0].accepts(vectors_[index(members[i])]))
+      sums_[0].add(vectors_[index(members[i++])]);
+    if (i < members.size() && members.size() > kFew) return of_sorted(members);
+    for (; i < members.size(); ++i) add(index(members[i]), sums_.size());
+    return sums_;
+  }
+
+ private:
+  static constexpr std::size_t kFew = 8;
+  inline static const Vector3 kAxis = {0.41, -0.62, 0.67};  // arbitrary, lest many have the same coordinate
+
+  const std::vector<ParallelSum>& of_sorted(std::span<const OrderedVector> members) {
+    sums_.clear();
+    sorted_.clear();
+    for (const OrderedVector v : members) {
+      const Vector3& vector = vectors_[index(v)];
+      sorted_.emplace_back(kAxis.dot(vector) / vector.norm(), index(v));
+    }
+    std::ranges::sort(sorted_);
+    std::size_t near = 0;  // to how many of the latest sums may a vector be parallel?
+    for (std::size_t i = 0; i < sorted_.size(); ++i) {
+      if (i > 0 && sorted_[i].first - sorted_[i - 1].first > 4 * kParallel) near = 0;
+      near += add(sorted_[i].second, std::min(near, kFew));
+    }
+    return sums_;
+  }
+
+  /// Adds vector i to one of the latest `near` sums, or else begins another. Returns how many it began.
+  std::size_t add(std::size_t i, std::size_t near) {
+    const Vector3& v = vectors_[i];
+    const auto last = sums_.rbegin() + static_cast<std::ptrdiff_t>(near);
+    const auto sum = std::find_if(sums_.rbegin(), last, [&](const ParallelSum& s) { return s.accepts(v); });
+    if (sum != last) return sum->add(v), 0;
+    sums_.emplace_back(v);
+    return 1;
+  }
+
+  const std::vector<Vector3>& vectors_;
+  std::vector<ParallelSum> sums_;
+  std::vector<std::pair<double, std::uint32_t>> sorted_;  // coordinates and indices
+};
+
+/// Writes merged vectors, a block at a time.
+class Writer {
+ public:
+  explicit Writer(AreaVectors& result) : result_(result) {}
+
+  void write(const Vector3& v) {
+    block_[0][used_] = v.x(), block_[1][used_] = v.y(), block_[2][used_] = v.z();
+    if (++used_ == kBlock) flush();
+  }
+  void finish() {
+    flush();
+    result_.total = static_cast<double>(total_);
+  }
+
+ private:
+  static constexpr Eigen::Index kBlock = 256;
+
+  void flush() {
+    double lengths[kBlock];
+    const auto component = [&](int c) { return Eigen::Map<const Eigen::ArrayXd>(block_[c], used_); };
+    Eigen::Map<Eigen::ArrayXd> length(lengths, used_);
+    length = (component(0).square() + component(1).square() + component(2).square()).sqrt();
+    for (const double l : length) total_ += l;
+    AlignedDoubles* components[] = {&result_.x, &result_.y, &result_.z};
+    for (int c = 0; c < 3; ++c) components[c]->insert(components[c]->end(), block_[c], block_[c] + used_);
+    used_ = 0;
+  }
+
+  AreaVectors& result_;
+  double block_[3][kBlock];
+  Eigen::Index used_ = 0;
+  long double total_ = 0;
+};
+
+/// Adds up those that are parallel among the vectors of each cell.
+AreaVectors merge(const std::vector<Vector3>& vectors, std::span<const OrderedVector> order) {
+  AreaVectors result;
+  result.faces = order.size();
+  for (AlignedDoubles* component : {&result.x, &result.y, &result.z}) component->reserve(order.size());
+  Writer writer(result);
+  CellSums sums(vectors);
+  for (std::size_t i = 0, end = 0; i < order.size(); i = end) {
+    do {
+      constexpr std::size_t kAhead = 32;  // prefetching, because the order jumps through memory
+      __builtin_prefetch(&vectors[index(order[std::min(end + kAhead, order.size() - 1)])]);
+    } while (++end < order.size() && cell(order[end]) == cell(order[i]));
+    if (end - i == 1) writer.write(vectors[index(order[i])]);
+    else
+      for (const ParallelSum& sum : sums.of(order.subspan(i, end - i))) writer.write(sum.value());
+  }
+  writer.finish();
+  if (DirectionTree::worthwhile(result.size())) arrange_runs(result);  // the flat sum needs no order
+  return result;
 }
 
 }  // namespace
@@ -111,42 +204,31 @@ int lengthen(std::vector<Vector3>& vectors) {
 double AreaVectors::area() const { return std::ldexp(total, exponent); }
 
 AreaVectors area_vectors(std::vector<Vector3> vectors) {
-  AreaVectors result;
-  result.exponent = lengthen(vectors);
-  const std::vector<std::uint32_t> order = order_by_direction(vectors);
-  result.faces = order.size();
-  for (AlignedDoubles* component : {&result.x, &result.y, &result.z}) component->reserve(order.size());
-  const auto sorted = [&](std::size_t i) -> const Vector3& {
-    constexpr std::size_t kAhead = 32;  // prefetching, because the order jumps through memory
-    __builtin_prefetch(&vectors[order[std::min(i + kAhead, order.size() - 1)]]);
-    return vectors[order[i]];
-  };
-  long double total = 0;
-  for (std::size_t i = 0; i < order.size();) {
-    ParallelSum sum(sorted(i));
-    for (++i; i < order.size() && sum.accepts(sorted(i)); ++i) sum.add(sorted(i));
-    const Vector3& v = sum.value();
-    result.x.push_back(v.x());
-    result.y.push_back(v.y());
-    result.z.push_back(v.z());
-    total += sum.length();
+  DirectionOrder order = order_by_direction(vectors);
+  int exponent = 0;
+  if (!order.safe) {
+    exponent = rescale(vectors);
+    order = order_by_direction(vectors);
   }
-  result.total = static_cast<double>(total);
-  if (DirectionTree::worthwhile(result.size())) arrange_runs(result);  // the flat sum needs no order
+  AreaVectors result = merge(vectors, order.vectors);
+  result.exponent = exponent;
   return result;
 }
 
 AreaVectors area_vectors(const MeshView& mesh) {
-  int exponent = 0;
   std::vector<Vector3> vectors(mesh.triangles.size());
-  if (!find_area_vectors(mesh, exponent, vectors)) {
-    exponent = length_exponent(mesh);
+  find_area_vectors(mesh, 0, vectors);
+  AreaVectors result;
+  if (const DirectionOrder order = order_by_direction(vectors); order.safe) {
+    result = merge(vectors, order.vectors);
+  } else {
+    const int exponent = length_exponent(mesh);
     find_area_vectors(mesh, exponent, vectors);
-    for (const Vector3& v : vectors)  // what follows compares and converts them
+    for (const Vector3& v : vectors)
       if (!v.allFinite()) throw MeshError("a vertex is not finite");
+    result = area_vectors(std::move(vectors));
+    result.exponent += 2 * exponent;
   }
-  AreaVectors result = area_vectors(std::move(vectors));
-  result.exponent += 2 * exponent;
   if (result.total == 0) throw MeshError("the total area is zero");
   return result;
 }

@@ -2,16 +2,28 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "rectilin/mesh/mesh.h"
 
 namespace rectilin {
 
-/// Turns each vector to the same side of a fixed plane (v and -v are the same to the measure), and returns the indices
-/// of the nonzero ones along a Hilbert curve over that hemisphere. Vectors in the same one of its 2^32 cells are sorted
-/// by their exact direction, unless all are parallel, so that parallel ones are neighbours. O(N log N) at worst, O(N) if
-/// the directions are spread out. The result is the same for any number of threads.
-std::vector<std::uint32_t> order_by_direction(std::vector<Vector3>& vectors);
+/// One vector in order: the cell of its direction in the high half, its index in the low one.
+using OrderedVector = std::uint64_t;
+inline std::uint64_t cell(OrderedVector v) { return v >> 32; }
+inline std::uint32_t index(OrderedVector v) { return static_cast<std::uint32_t>(v); }
+
+struct DirectionOrder {
+  std::unique_ptr<OrderedVector[]> memory;
+  std::span<const OrderedVector> vectors;
+  bool safe;  ///< are the vectors neither so long nor so short that products of squares might overflow or lose digits?
+};
+
+/// Turns each vector to the same side of a fixed plane (v and -v are the same to the measure), and returns the nonzero
+/// ones along a Hilbert curve over that hemisphere, which has 2^32 cells; those of one cell by index. O(N). The result
+/// is the same for any number of threads and any instruction set.
+DirectionOrder order_by_direction(std::vector<Vector3>& vectors);
 
 }  // namespace rectilin

@@ -4,61 +4,47 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <utility>
 
 #include "rectilin/base/ceil_div.h"
 #include "tree/direction_tree_kernels.h"
+#include "vectors/order_kernels.h"
 
 namespace rectilin {
 namespace {
 
 using Places = std::vector<std::uint16_t>;
 
-/// The stereographic projection of the run's directions, up to sign, about their mean: small squares stay squares, and
-/// the hemisphere becomes a disc. Both coordinates have the same unit and run from 0 to 65535.
-std::array<Places, 2> plane_coordinates(const std::vector<Vector3>& run) {
+/// The coordinates of the run's directions in a plane about their mean.
+std::array<Places, 2> plane_coordinates(const VectorSpan<double>& run) {
+  constexpr std::size_t kStep = 16;  // the mean of some vectors serves as well
   Vector3 sum = Vector3::Zero();
-  for (const Vector3& v : run) sum += v;
+  for (std::size_t i = 0; i < run.size; i += kStep) sum += Vector3(run.x[i], run.y[i], run.z[i]);
   const Vector3 mean = sum.stableNormalized();
-  const Vector3 axes[2] = {mean.unitOrthogonal(), mean.cross(mean.unitOrthogonal())};
-  std::array<std::vector<float>, 2> plane;
-  for (int k = 0; k < 2; ++k) plane[k].resize(run.size());
-  for (std::size_t i = 0; i < run.size(); ++i) {
-    const double height = mean.dot(run[i]);
-    const double size = std::copysign(run[i].norm() + std::abs(height), height);
-    const double inverse = std::isnormal(size) ? 1 / size : 0;
-    for (int k = 0; k < 2; ++k) plane[k][i] = static_cast<float>(axes[k].dot(run[i]) * inverse);
-  }
-  float least[2], extent = std::numeric_limits<float>::min();
-  for (int k = 0; k < 2; ++k) {
-    const auto [low, high] = std::minmax_element(plane[k].begin(), plane[k].end());
-    least[k] = *low;
-    extent = std::max(extent, *high - *low);
-  }
-  std::array<Places, 2> coordinates;
-  for (int k = 0; k < 2; ++k) {
-    coordinates[k].resize(run.size());
-    for (std::size_t i = 0; i < run.size(); ++i)
-      coordinates[k][i] = static_cast<std::uint16_t>((plane[k][i] - least[k]) / extent * 65535);
-  }
+  const Vector3 axes[3] = {mean.unitOrthogonal(), mean.cross(mean.unitOrthogonal()), mean};
+  std::array<std::array<double, 3>, 3> rows;
+  for (int k = 0; k < 3; ++k) rows[k] = {axes[k].x(), axes[k].y(), axes[k].z()};
+  std::vector<float> plane[2] = {std::vector<float>(run.size), std::vector<float>(run.size)};
+  std::array<Places, 2> coordinates = {Places(run.size), Places(run.size)};
+  project(run, rows, plane[0].data(), plane[1].data(), coordinates[0].data(), coordinates[1].data());
   return coordinates;
 }
 
 /// The places sorted by their keys, ascending; stable.
 Places sorted_places(const Places& keys) {
-  Places order(keys.size()), next(keys.size());
-  std::iota(order.begin(), order.end(), std::uint16_t{0});
-  for (const int shift : {0, 8}) {
-    std::array<std::size_t, 257> begins{};
-    for (const std::uint16_t key : keys) ++begins[(key >> shift & 255) + 1];
-    std::partial_sum(begins.begin(), begins.end(), begins.begin());
-    for (const std::uint16_t place : order) next[begins[keys[place] >> shift & 255]++] = place;
-    order.swap(next);
+  std::vector<std::uint32_t> items(keys.size()), next(keys.size());  // keys in the high halves, places in the low ones
+  for (std::size_t i = 0; i < keys.size(); ++i) items[i] = std::uint32_t{keys[i]} << 16 | static_cast<std::uint32_t>(i);
+  for (const int shift : {16, 24}) {
+    std::array<std::uint32_t, 256> begins{};
+    for (const std::uint32_t item : items) ++begins[item >> shift & 255];
+    std::exclusive_scan(begins.begin(), begins.end(), begins.begin(), std::uint32_t{0});
+    for (const std::uint32_t item : items) next[begins[item >> shift & 255]++] = item;
+    items.swap(next);
   }
+  Places order(keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) order[i] = static_cast<std::uint16_t>(items[i]);
   return order;
 }
 
@@ -109,22 +95,16 @@ class Halving {
 
 }  // namespace
 
-void align(std::vector<Vector3>& run) {
-  Vector3 before(0.48, 0.36, 0.8);
-  for (Vector3& v : run) {
-    if (before.dot(v) < 0) v = -v;
-    if (!v.isZero(0)) before = v;
+void arrange(AreaVectors& vectors, std::size_t begin, std::size_t end) {
+  if (end - begin <= kLeaf) return;
+  const VectorSpan<double> all{vectors.x.data(), vectors.y.data(), vectors.z.data(), vectors.size()};
+  const Halving halving(plane_coordinates(all.slice(begin, end)));
+  std::vector<double> before(end - begin);
+  for (AlignedDoubles* component : {&vectors.x, &vectors.y, &vectors.z}) {
+    double* const run = component->data() + begin;
+    std::copy_n(run, before.size(), before.begin());
+    for (std::size_t i = 0; i < before.size(); ++i) run[i] = before[halving.order()[i]];
   }
-}
-
-void arrange(std::vector<Vector3>& run) {
-  if (run.size() <= kLeaf) return;
-  std::vector<Vector3> aligned = run;
-  align(aligned);
-  const Halving halving(plane_coordinates(aligned));
-  const std::vector<Vector3> before = std::exchange(run, {});
-  run.reserve(before.size());
-  for (const std::uint16_t place : halving.order()) run.push_back(before[place]);
 }
 
 }  // namespace rectilin

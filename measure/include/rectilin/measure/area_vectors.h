@@ -19,9 +19,9 @@ using AlignedDoubles = CacheAligned<double>;
 /// direction the normal. P(R) depends only on these vectors, up to sign, and those of faces with parallel normals add
 /// up (|u.v| + |u.cv| = |u.(1+c)v|), so each distinct direction is kept once.
 ///
-/// If the longest vector is very long or very short (about 2^96 or 2^-64), lengths are scaled by a power of two, so that
-/// products of their squares neither overflow nor vanish. Neither R nor any ratio of areas depends on the scale; area()
-/// undoes it.
+/// If the longest vector is very long or very short (about 2^64 or 2^-64), lengths are scaled by a power of two, so
+/// that products of their squares neither overflow nor vanish. Neither R nor any ratio of areas depends on the scale;
+/// area() undoes it.
 struct AreaVectors {
   AlignedDoubles x, y, z;  ///< components, on one hemisphere, ordered so that neighbours have similar directions
   double total = 0;        ///< S, the sum of all faces' areas, in the scaled unit
@@ -41,7 +41,8 @@ struct AreaVectors {
 /// the number of threads. Throws MeshError if the total area is zero or a corner is not finite.
 AreaVectors area_vectors(const MeshView& mesh);
 
-/// The same for given vectors, of any scale, for instance to test the objective without a mesh.
+/// The same for given vectors, of any scale, for instance to test the objective without a mesh. Throws MeshError if one
+/// is not finite.
 AreaVectors area_vectors(std::vector<Vector3> vectors);
 
 /// The same for normals with weights, such as those of a point cloud or a Gauss map: vector i has the direction of
