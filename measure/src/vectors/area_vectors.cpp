@@ -96,52 +96,41 @@ class CellSums {
  public:
   explicit CellSums(const std::vector<Vector3>& vectors) : vectors_(vectors) {}
 
-  /// Most cells hold one direction only. Otherwise few members are compared with each other; many are sorted by a
-  /// coordinate first, so that only neighbours need to be compared.
+  /// Most cells hold one direction only. The members of others are sorted by direction first, and each is compared with
+  /// its neighbour alone, so that crowded cells do not take long.
   const std::vector<ParallelSum>& of(std::span<const OrderedVector> members) {
-    sums_.clear();
-    sums_.emplace_back(vectors_[index(members[0])]);
-    std::size_t i = 1;
-    while (i < members.size() && sums_[0].accepts(vectors_[index(members[i])]))
-      sums_[0].add(vectors_[index(members[i++])]);
-    if (i < members.size() && members.size() > kFew) return of_sorted(members);
-    for (; i < members.size(); ++i) add(index(members[i]), sums_.size());
+    sums_.assign(1, ParallelSum(vectors_[index(members[0])]));
+    for (std::size_t i = 1; i < members.size(); ++i) {
+      const Vector3& v = vectors_[index(members[i])];
+      if (!sums_[0].accepts(v)) return of_sorted(members);
+      sums_[0].add(v);
+    }
     return sums_;
   }
 
  private:
-  static constexpr std::size_t kFew = 8;
-  inline static const Vector3 kAxis = {0.41, -0.62, 0.67};  // arbitrary, lest many have the same coordinate
+  using Directed = std::pair<Vector3, std::uint32_t>;  // a direction and a member's index
 
   const std::vector<ParallelSum>& of_sorted(std::span<const OrderedVector> members) {
-    sums_.clear();
     sorted_.clear();
-    for (const OrderedVector v : members) {
-      const Vector3& vector = vectors_[index(v)];
-      sorted_.emplace_back(kAxis.dot(vector) / vector.norm(), index(v));
-    }
-    std::ranges::sort(sorted_);
-    std::size_t near = 0;  // to how many of the latest sums may a vector be parallel?
-    for (std::size_t i = 0; i < sorted_.size(); ++i) {
-      if (i > 0 && sorted_[i].first - sorted_[i - 1].first > 4 * kParallel) near = 0;
-      near += add(sorted_[i].second, std::min(near, kFew));
+    for (const OrderedVector v : members) sorted_.emplace_back(vectors_[index(v)].normalized(), index(v));
+    std::ranges::sort(sorted_, [](const Directed& a, const Directed& b) {
+      for (int i = 0; i < 3; ++i)
+        if (a.first[i] != b.first[i]) return a.first[i] < b.first[i];
+      return a.second < b.second;
+    });
+    sums_.clear();
+    for (const Directed& member : sorted_) {
+      const Vector3& v = vectors_[member.second];
+      if (!sums_.empty() && sums_.back().accepts(v)) sums_.back().add(v);
+      else sums_.emplace_back(v);
     }
     return sums_;
   }
 
-  /// Adds vector i to one of the latest `near` sums, or else begins another. Returns how many it began.
-  std::size_t add(std::size_t i, std::size_t near) {
-    const Vector3& v = vectors_[i];
-    const auto last = sums_.rbegin() + static_cast<std::ptrdiff_t>(near);
-    const auto sum = std::find_if(sums_.rbegin(), last, [&](const ParallelSum& s) { return s.accepts(v); });
-    if (sum != last) return sum->add(v), 0;
-    sums_.emplace_back(v);
-    return 1;
-  }
-
   const std::vector<Vector3>& vectors_;
   std::vector<ParallelSum> sums_;
-  std::vector<std::pair<double, std::uint32_t>> sorted_;  // coordinates and indices
+  std::vector<Directed> sorted_;
 };
 
 /// Writes merged vectors, a block at a time.
