@@ -8,6 +8,7 @@
 
 #include "rectilin/base/ceil_div.h"
 #include "rectilin/measure/direction_tree.h"
+#include "sums/cap.h"
 #include "tree/direction_tree_kernels.h"
 #include "tree/leaf_kernels.h"
 #include "tree/storage.h"
@@ -15,11 +16,6 @@
 
 namespace rectilin {
 namespace {
-
-// Generous allowance for the rounding of a cap's sine, and of the vectors in it. A larger error would be harmless, too:
-// a vector that is misjudged because of rounding lies so close to the great circle that its u . v is itself no larger
-// than a rounding error.
-constexpr double kSlack = 0x1p-36;
 
 // A task works on nodes that cover this many leaves, or on a single larger node.
 constexpr std::size_t kTaskLeaves = 2048;
@@ -64,8 +60,7 @@ void fill_level(const DirectionTreeKernels& kernels, const DirectionTreeNodes& n
       const Vector3& v = sums[node];
       const Vector3 axis = v.stableNormalized();
       const std::size_t begin = node * stride, end = std::min(begin + stride, leaf_count);
-      const double sine = std::sqrt(kernels.cap(nodes, begin, end, axis.data()));
-      const double radius = std::isinf(sine) ? sine : v.norm() * (sine + kSlack);
+      const double radius = cap_radius(v.norm(), kernels.cap(nodes, begin, end, axis.data()));
       pack_node(level[node / kFan], node % kFan, v, radius);
     }
   });

@@ -11,9 +11,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
 
 #include "hwy/cache_control.h"
+#include "sums/cap-inl.h"
 #include "sums/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -31,11 +31,6 @@ constexpr std::size_t kChunkNodes = 256;
 
 // How many nodes ahead memory is requested: on large trees most visits miss the caches. 16 and 96 are slower (Zen 5).
 constexpr std::size_t kAhead = 40;
-
-template <class V>
-HWY_INLINE V squared_length(V x, V y, V z) {
-  return hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
-}
 
 struct Vectors {
   V x, y, z;
@@ -226,24 +221,13 @@ bool kernel(const DirectionTreeNodes& nodes, const DirectionQuery& query, TwoSum
 double cap(const DirectionTreeNodes& nodes, std::size_t begin, std::size_t end, const double* axis) {
   const D d;
   const auto ax = hn::Set(d, axis[0]), ay = hn::Set(d, axis[1]), az = hn::Set(d, axis[2]);
-  const auto zero = hn::Zero(d), infinity = hn::Set(d, std::numeric_limits<double>::infinity());
-  const auto shortest = hn::Set(d, 1e-280);  // least squared length that has lost no digits to underflow
-  auto largest = zero;
+  auto largest = hn::Zero(d);
   const auto unit = hn::Set(D64(), nodes.unit);
-  for (std::size_t leaf = begin; leaf < end; ++leaf) {
+  for (std::size_t leaf = begin; leaf < end; ++leaf)
     for (std::size_t lane = 0; lane < kLeaf; lane += hn::Lanes(d)) {
       const auto [x, y, z] = load_leaf(nodes.leaves[leaf], lane, unit);
-      const auto cx = hn::MulSub(y, az, hn::Mul(z, ay));
-      const auto cy = hn::MulSub(z, ax, hn::Mul(x, az));
-      const auto cz = hn::MulSub(x, ay, hn::Mul(y, ax));
-      const auto squared_sine = hn::Div(squared_length(cx, cy, cz), squared_length(x, y, z));
-      const auto dot = hn::MulAdd(x, ax, hn::MulAdd(y, ay, hn::Mul(z, az)));
-      const auto clear = hn::And(hn::Gt(dot, zero), hn::Gt(squared_length(x, y, z), shortest));
-      const auto absent = hn::Eq(hn::Max(hn::Abs(x), hn::Max(hn::Abs(y), hn::Abs(z))), zero);
-      const auto angle = hn::IfThenElse(clear, squared_sine, infinity);
-      largest = hn::Max(largest, hn::IfThenZeroElse(absent, angle));
+      largest = hn::Max(largest, squared_sine(d, x, y, z, ax, ay, az));
     }
-  }
   return hn::GetLane(hn::MaxOfLanes(d, largest));
 }
 

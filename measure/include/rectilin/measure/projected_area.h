@@ -18,7 +18,7 @@
 //     rectilinearity(1.0);                                               // 1
 //
 // A tree sums a million vectors in microseconds (direction_tree.h); a flat sum goes over all of them with vector
-// instructions (flat_sum.h). The number of vectors decides which of the two is used.
+// instructions (flat_sum.h), or for cuts over runs of eight (run_sum.h). The number of vectors decides which is used.
 #pragma once
 
 #include <mutex>
@@ -27,6 +27,7 @@
 #include "rectilin/measure/area_vectors.h"
 #include "rectilin/measure/direction_tree.h"
 #include "rectilin/measure/flat_sum.h"
+#include "rectilin/measure/run_sum.h"
 #include "rectilin/optim/objective.h"
 
 namespace rectilin {
@@ -34,17 +35,17 @@ namespace rectilin {
 /// R(M) from the least ratio P/S (eq. 27): 3 (S/P - 2/3). Ratios lie in [1, sqrt(3)] (eq. 12).
 inline double rectilinearity(double ratio) { return 3 / ratio - 2; }
 
-/// How the sums over the area vectors are computed. Both ways are exact up to rounding.
+/// How the sums over the area vectors are computed. All ways are exact up to rounding.
 enum class SumMethod {
-  kAuto,  ///< the tree if DirectionTree::worthwhile(), which depends on the number of vectors alone
+  kAuto,  ///< the tree if DirectionTree::worthwhile(), otherwise FlatSum, for cuts RunSum if that is worthwhile()
   kFlat,  ///< FlatSum
   kTree,  ///< DirectionTree
 };
 
 /// P(R)/S of a mesh, to be minimised over rotations; its merit is the rectilinearity. P(R) = h(r1) + h(r2) + h(r3) with
 /// h(u) = sum_i |u . v_i| over the area vectors (eqs. 1, 2, 7). Immutable and thread safe, with the same bits for any
-/// number of threads and any division into batches. `precision` applies to the flat sum only; the tree, and the flat
-/// sum inside it, use double precision.
+/// number of threads and any division into batches. `precision` applies to the flat sum only; the tree, the flat sum
+/// inside it and the runs use double precision. In single precision cuts are by the flat sum.
 class ProjectedArea final : public Objective {
  public:
   explicit ProjectedArea(AreaVectors vectors, std::string name = "mesh", SumMethod method = SumMethod::kAuto,
@@ -68,12 +69,14 @@ class ProjectedArea final : public Objective {
 
  private:
   const DirectionTree& tree() const;
+  const RunSum& runs() const;
 
   AreaVectors vectors_;
   FlatSum flat_;
-  mutable std::once_flag tree_once_;
-  bool use_tree_;
-  mutable std::optional<DirectionTree> tree_;  // made when first asked for
+  bool use_tree_, use_runs_;
+  mutable std::once_flag tree_once_, runs_once_;
+  mutable std::optional<DirectionTree> tree_;  // both are made when first asked for
+  mutable std::optional<RunSum> runs_;
   std::string name_;
 };
 

@@ -1,0 +1,39 @@
+// Subgradients of h(u) = sum_i |u . v_i| for meshes of middling size, by runs of vectors with similar directions.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "rectilin/measure/area_vectors.h"
+
+namespace rectilin {
+
+/// Sums over the area vectors in their stored order, in runs of eight. A run has a sum V and a cap, a small disc on the
+/// sphere around V that holds the directions of its vectors. Where the great circle u . v = 0 misses the cap, V stands
+/// for the run; only the vectors of other runs are looked at one by one. A direction tree does this on many levels; one
+/// level is made in a fraction of the time.
+///
+/// A result depends on its direction, the area vectors and the instruction set alone, bit for bit. Directions must
+/// satisfy what FlatSum requires. Const and thread safe; large calls use TBB's current arena.
+class RunSum {
+ public:
+  /// `vectors` must outlive this object, unchanged, and are on one hemisphere as area_vectors() leaves them, or the
+  /// runs at its rim gain nothing. O(N).
+  explicit RunSum(const AreaVectors& vectors);
+
+  /// As FlatSum::cuts(): h(w) >= g[k] . w for every w, with equality at u[k], both up to kErrorBound |w| S.
+  void cuts(std::span<const Vector3> u, std::span<Vector3> g) const;
+
+  /// For any instruction set and up to 2^20 vectors.
+  static constexpr double kErrorBound = 1e-12;
+
+  /// Is this faster than FlatSum on a typical mesh, and never much slower?
+  static bool worthwhile(std::size_t vectors);
+
+ private:
+  const AreaVectors* vectors_;
+  AlignedDoubles runs_;  // x, y, z and the caps' radii, each padded with zeros
+  Vector3 total_ = Vector3::Zero();
+};
+
+}  // namespace rectilin

@@ -1,0 +1,75 @@
+#include "rectilin/measure/run_sum.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "rectilin/base/ceil_div.h"
+#include "sums/run_kernels.h"
+#include "sums/two_sum.h"
+
+namespace rectilin {
+namespace {
+
+constexpr std::size_t kDirectionsPerTask = 24;
+
+// Below this many pairs of a run and a direction, some 50 microseconds of work, tasks cost more than they save.
+constexpr std::size_t kSerialRuns = std::size_t{1} << 17;
+
+}  // namespace
+
+RunSum::RunSum(const AreaVectors& vectors) : vectors_(&vectors) {
+  const std::size_t count = vectors.size() / kRunLength;
+  const std::size_t padded = ceil_div(count, kRunsTogether) * kRunsTogether;
+  runs_.resize(4 * padded);
+  double* x = runs_.data();
+  fill_runs({vectors.x.data(), vectors.y.data(), vectors.z.data(), vectors.size()}, x, x + padded, x + 2 * padded,
+            x + 3 * padded);
+  for (std::size_t c = 0; c < 3; ++c) {
+    TwoSum total{};
+    for (std::size_t run = 0; run < count; ++run) total.add(x[c * padded + run]);
+    for (std::size_t i = kRunLength * count; i < vectors.size(); ++i) total.add(vectors[i][static_cast<int>(c)]);
+    total_[static_cast<int>(c)] = total.value();
+  }
+}
+
+void RunSum::cuts(std::span<const Vector3> u, std::span<Vector3> g) const {
+  assert(u.size() == g.size());
+  const std::size_t padded = runs_.size() / 4, whole = vectors_->size() / kRunLength * kRunLength;
+  const double* x = runs_.data();
+  const Runs runs = {{vectors_->x.data(), vectors_->y.data(), vectors_->z.data(), whole},
+                     {x, x + padded, x + 2 * padded, padded},
+                     x + 3 * padded};
+  const auto some = [&](std::size_t task) {
+    const std::size_t begin = task * kDirectionsPerTask, count = std::min(kDirectionsPerTask, u.size() - begin);
+    std::array<double, kDirectionsPerTask> scale;
+    std::array<RunQuery, kDirectionsPerTask> queries{};
+    std::array<double, 3 * kDirectionsPerTask> sums{};
+    for (std::size_t k = 0; k < count; ++k) {
+      scale[k] = slope_scale<double>(u[begin + k]);
+      const Slope<double> s = slope<double>(u[begin + k], scale[k]);
+      queries[k] = {s, std::sqrt(1 + s.a * s.a + s.b * s.b)};
+    }
+    sum_negative(runs, queries.data(), count, sums.data());
+    for (std::size_t k = 0; k < count; ++k) {
+      Vector3 negative(sums[3 * k], sums[3 * k + 1], sums[3 * k + 2]);
+      const auto [a, b] = queries[k].slope;
+      for (std::size_t i = whole; i < vectors_->size(); ++i)
+        if (const Vector3 v = (*vectors_)[i]; a * v.x() + b * v.y() + v.z() < 0) negative += v;
+      g[begin + k] = cut_from_negative(total_, scale[k], negative);
+    }
+  };
+  const std::size_t tasks = ceil_div(u.size(), kDirectionsPerTask);
+  if (padded * u.size() >= kSerialRuns) tbb::parallel_for(std::size_t{0}, tasks, some);
+  else
+    for (std::size_t task = 0; task < tasks; ++task) some(task);
+}
+
+bool RunSum::worthwhile(std::size_t vectors) {
+  return vectors >= 128;  // measured (papers/throughput.md)
+}
+
+}  // namespace rectilin
