@@ -21,49 +21,72 @@ HWY_BEFORE_NAMESPACE();
 namespace rectilin::HWY_NAMESPACE {
 namespace {
 
-using D = hn::CappedTag<double, kRunLength>;
+using D = hn::CappedTag<double, 8>;
 using V = hn::Vec<D>;
 using Sum = NegativeSum<D>;
 
-/// Sums the runs `begin` to `end` that the circle misses, then the vectors of those that it meets. Two sums take turns,
-/// so that an addition does not wait for the one before.
-HWY_INLINE void add_runs(const Runs& runs, std::size_t begin, std::size_t end, const RunQuery& query, double* lanes) {
-  const D d;
-  const V a = hn::Set(d, query.slope.a), b = hn::Set(d, query.slope.b), reach = hn::Set(d, query.reach);
-  std::uint64_t met[kRunsPerBlock / 64] = {};  // a bit for each run
-  Sum even, odd;
-  const auto test = [&](std::size_t i, Sum& sum) HWY_ATTR {
-    const V x = hn::Load(d, runs.sums.x + i), y = hn::Load(d, runs.sums.y + i), z = hn::Load(d, runs.sums.z + i);
-    const V s = hn::MulAdd(a, x, hn::MulAdd(b, y, z));
-    const auto meets = hn::Lt(hn::Abs(s), hn::Mul(hn::Load(d, runs.radius + i), reach));
+/// The sum for one direction over some runs. Two registers for each component take turns, so that an addition does not
+/// wait for the one before.
+class Pass {
+ public:
+  HWY_INLINE Pass(const Runs& runs, const RunQuery& query)
+      : runs_(runs),
+        a_(hn::Set(D(), query.slope.a)),
+        b_(hn::Set(D(), query.slope.b)),
+        reach_(hn::Set(D(), query.reach)) {}
+
+  /// Adds at most 64 runs: those that the circle misses, then the vectors of those that it meets.
+  HWY_INLINE void add(std::size_t begin, std::size_t end) {
+    const std::size_t lanes = hn::Lanes(D());
+    std::uint64_t met = 0;  // a bit for each run
+    for (std::size_t i = begin; i < end; i += 2 * lanes) {
+      met |= test(i, even_) << (i - begin);
+      met |= test(i + lanes, odd_) << (i + lanes - begin);
+    }
+    while (met != 0) {
+      open(runs_.vectors, begin + static_cast<std::size_t>(std::countr_zero(met)));
+      met &= met - 1;
+    }
+  }
+
+  /// Adds the vectors of a run one by one.
+  HWY_INLINE void open(const VectorSpan<double>& vectors, std::size_t run) {
+    const std::size_t lanes = hn::Lanes(D());
+    for (std::size_t i = kRunLength * run; i < kRunLength * (run + 1); i += 2 * lanes) {
+      look(vectors, i, even_);
+      look(vectors, i + lanes, odd_);
+    }
+  }
+
+  HWY_INLINE void add_to_lanes(double* lanes) const {
+    even_.add_to_lanes(lanes);
+    odd_.add_to_lanes(lanes);
+  }
+
+ private:
+  HWY_INLINE V product(V x, V y, V z) const { return hn::MulAdd(a_, x, hn::MulAdd(b_, y, z)); }
+
+  HWY_INLINE std::uint64_t test(std::size_t i, Sum& sum) const {
+    const D d;
+    const V x = hn::Load(d, runs_.sums.x + i), y = hn::Load(d, runs_.sums.y + i), z = hn::Load(d, runs_.sums.z + i);
+    const V s = product(x, y, z);
+    const auto meets = hn::Lt(hn::Abs(s), hn::Mul(hn::Load(d, runs_.radius + i), reach_));
     sum.add(x, y, z, hn::IfThenZeroElse(meets, s));
     std::uint8_t byte[8] = {};
     hn::StoreMaskBits(d, meets, byte);
-    met[(i - begin) / 64] |= std::uint64_t{byte[0]} << (i - begin) % 64;
-  };
-  for (std::size_t i = begin; i < end; i += 2 * hn::Lanes(d)) {
-    test(i, even);
-    test(i + hn::Lanes(d), odd);
+    return byte[0];
   }
-  const auto open = [&](std::size_t run, Sum& sum) HWY_ATTR {
-    for (std::size_t i = kRunLength * run; i < kRunLength * (run + 1); i += hn::Lanes(d)) {
-      const V x = hn::LoadU(d, runs.vectors.x + i), y = hn::LoadU(d, runs.vectors.y + i),
-              z = hn::LoadU(d, runs.vectors.z + i);
-      sum.add(x, y, z, hn::MulAdd(a, x, hn::MulAdd(b, y, z)));
-    }
-  };
-  const auto first_of = [](std::uint64_t bits) { return static_cast<std::size_t>(std::countr_zero(bits)); };
-  for (std::size_t word = 0; word < std::size(met); ++word)
-    for (std::uint64_t bits = met[word]; bits != 0; bits &= bits - 1) {
-      const std::size_t first = begin + 64 * word;
-      open(first + first_of(bits), even);
-      bits &= bits - 1;
-      if (bits == 0) break;
-      open(first + first_of(bits), odd);
-    }
-  even.add_to_lanes(lanes);
-  odd.add_to_lanes(lanes);
-}
+
+  HWY_INLINE void look(const VectorSpan<double>& vectors, std::size_t i, Sum& sum) const {
+    const D d;
+    const V x = hn::LoadU(d, vectors.x + i), y = hn::LoadU(d, vectors.y + i), z = hn::LoadU(d, vectors.z + i);
+    sum.add(x, y, z, product(x, y, z));
+  }
+
+  const Runs runs_;
+  const V a_, b_, reach_;
+  Sum even_, odd_;
+};
 
 void sum_all(const Runs& runs, const RunQuery* queries, std::size_t directions, double* sums) {
   constexpr std::size_t kLanes = Sum::kOutputs * hn::MaxLanes(D());
@@ -71,7 +94,16 @@ void sum_all(const Runs& runs, const RunQuery* queries, std::size_t directions, 
   std::fill_n(lanes, directions * kLanes, 0.0);
   for (std::size_t begin = 0; begin < runs.sums.size; begin += kRunsPerBlock) {
     const std::size_t end = std::min(begin + kRunsPerBlock, runs.sums.size);
-    for (std::size_t k = 0; k < directions; ++k) add_runs(runs, begin, end, queries[k], lanes + k * kLanes);
+    for (std::size_t k = 0; k < directions; ++k) {
+      Pass pass(runs, queries[k]);
+      for (std::size_t i = begin; i < end; i += 64) pass.add(i, std::min(i + 64, end));
+      pass.add_to_lanes(lanes + k * kLanes);
+    }
+  }
+  for (std::size_t k = 0; k < directions; ++k) {
+    Pass pass(runs, queries[k]);
+    pass.open(runs.rest, 0);
+    pass.add_to_lanes(lanes + k * kLanes);
   }
   const D d;
   for (std::size_t i = 0; i < directions * Sum::kOutputs; ++i)

@@ -8,8 +8,8 @@
 
 namespace rectilin {
 
-/// Number of vectors in a run: eight doubles fill one AVX-512 register, or a few narrower ones.
-inline constexpr std::size_t kRunLength = 8;
+/// Number of vectors in a run. Of 8, 16 and 32, 16 made proofs of meshes fastest (papers/throughput.md).
+inline constexpr std::size_t kRunLength = 16;
 
 /// A block of runs stays in the first-level cache while all directions read it, and bounds the number of terms in a
 /// register.
@@ -18,12 +18,13 @@ inline constexpr std::size_t kRunsPerBlock = 128;
 /// The number of runs is a multiple of this: two of the widest registers.
 inline constexpr std::size_t kRunsTogether = 16;
 
-/// Runs of vectors: the vectors of run r are `vectors` 8 r to 8 r + 7. `sums` holds their sums V, and radius[r]
-/// is |V| sin(r), r the radius of a cap around V with all of them; infinite if it reaches a right angle.
-/// Padded with zeros to a multiple of kRunsTogether.
+/// Runs of vectors: the vectors of run r are `vectors` kRunLength r and following. `sums` holds their sums V, and
+/// radius[r] is that of the cap around V with all of them (cap.h). Padded with zeros to a multiple of kRunsTogether.
+/// `rest` are kRunLength more vectors, each looked at for itself.
 struct Runs {
   VectorSpan<double> vectors, sums;
   const double* radius;
+  VectorSpan<double> rest;
 };
 
 struct RunQuery {

@@ -21,28 +21,32 @@ constexpr std::size_t kSerialRuns = std::size_t{1} << 17;
 
 }  // namespace
 
-RunSum::RunSum(const AreaVectors& vectors) : vectors_(&vectors) {
-  const std::size_t count = vectors.size() / kRunLength;
+RunSum::RunSum(const AreaVectors& vectors) : vectors_(&vectors), rest_(3 * kRunLength) {
+  const std::size_t count = vectors.size() / kRunLength, whole = count * kRunLength;
   const std::size_t padded = ceil_div(count, kRunsTogether) * kRunsTogether;
   runs_.resize(4 * padded);
   double* x = runs_.data();
-  fill_runs({vectors.x.data(), vectors.y.data(), vectors.z.data(), vectors.size()}, x, x + padded, x + 2 * padded,
+  fill_runs({vectors.x.data(), vectors.y.data(), vectors.z.data(), whole}, x, x + padded, x + 2 * padded,
             x + 3 * padded);
+  const AlignedDoubles* components[] = {&vectors.x, &vectors.y, &vectors.z};
   for (std::size_t c = 0; c < 3; ++c) {
+    double* rest = &rest_[c * kRunLength];
+    std::copy(components[c]->begin() + static_cast<std::ptrdiff_t>(whole), components[c]->end(), rest);
     TwoSum total{};
     for (std::size_t run = 0; run < count; ++run) total.add(x[c * padded + run]);
-    for (std::size_t i = kRunLength * count; i < vectors.size(); ++i) total.add(vectors[i][static_cast<int>(c)]);
+    for (std::size_t i = 0; i < kRunLength; ++i) total.add(rest[i]);
     total_[static_cast<int>(c)] = total.value();
   }
 }
 
 void RunSum::cuts(std::span<const Vector3> u, std::span<Vector3> g) const {
   assert(u.size() == g.size());
-  const std::size_t padded = runs_.size() / 4, whole = vectors_->size() / kRunLength * kRunLength;
-  const double* x = runs_.data();
-  const Runs runs = {{vectors_->x.data(), vectors_->y.data(), vectors_->z.data(), whole},
+  const std::size_t padded = runs_.size() / 4;
+  const double *x = runs_.data(), *rest = rest_.data();
+  const Runs runs = {{vectors_->x.data(), vectors_->y.data(), vectors_->z.data(), vectors_->size()},
                      {x, x + padded, x + 2 * padded, padded},
-                     x + 3 * padded};
+                     x + 3 * padded,
+                     {rest, rest + kRunLength, rest + 2 * kRunLength, kRunLength}};
   const auto some = [&](std::size_t task) {
     const std::size_t begin = task * kDirectionsPerTask, count = std::min(kDirectionsPerTask, u.size() - begin);
     std::array<double, kDirectionsPerTask> scale;
@@ -55,11 +59,8 @@ void RunSum::cuts(std::span<const Vector3> u, std::span<Vector3> g) const {
     }
     sum_negative(runs, queries.data(), count, sums.data());
     for (std::size_t k = 0; k < count; ++k) {
-      Vector3 negative(sums[3 * k], sums[3 * k + 1], sums[3 * k + 2]);
-      const auto [a, b] = queries[k].slope;
-      for (std::size_t i = whole; i < vectors_->size(); ++i)
-        if (const Vector3 v = (*vectors_)[i]; a * v.x() + b * v.y() + v.z() < 0) negative += v;
-      g[begin + k] = cut_from_negative(total_, scale[k], negative);
+      const double* sum = &sums[3 * k];
+      g[begin + k] = cut_from_negative(total_, scale[k], {sum[0], sum[1], sum[2]});
     }
   };
   const std::size_t tasks = ceil_div(u.size(), kDirectionsPerTask);
@@ -69,7 +70,7 @@ void RunSum::cuts(std::span<const Vector3> u, std::span<Vector3> g) const {
 }
 
 bool RunSum::worthwhile(std::size_t vectors) {
-  return vectors >= 128;  // measured (papers/throughput.md)
+  return vectors >= 500;  // measured (papers/throughput.md)
 }
 
 }  // namespace rectilin

@@ -8,10 +8,10 @@
 
 namespace rectilin {
 
-/// Sums over the area vectors in their stored order, in runs of eight. A run has a sum V and a cap, a small disc on the
-/// sphere around V that holds the directions of its vectors. Where the great circle u . v = 0 misses the cap, V stands
-/// for the run; only the vectors of other runs are looked at one by one. A direction tree does this on many levels; one
-/// level is made in a fraction of the time.
+/// Sums over the area vectors in their stored order, in runs of sixteen. A run has a sum V and a cap, a small disc on
+/// the sphere around V that holds the directions of its vectors. Where the great circle u . v = 0 misses the cap, V
+/// stands for the run; only the vectors of other runs are looked at one by one. A direction tree does this on many
+/// levels; one level is made in a fraction of the time.
 ///
 /// A result depends on its direction, the area vectors and the instruction set alone, bit for bit. Directions must
 /// satisfy what FlatSum requires. Const and thread safe; large calls use TBB's current arena.
@@ -32,7 +32,8 @@ class RunSum {
 
  private:
   const AreaVectors* vectors_;
-  AlignedDoubles runs_;  // x, y, z and the caps' radii, each padded with zeros
+  AlignedDoubles runs_;  // x, y, z of sums and the caps' radii, each padded with zeros
+  AlignedDoubles rest_;  // x, y, z of the vectors that do not fill a run
   Vector3 total_ = Vector3::Zero();
 };
 
