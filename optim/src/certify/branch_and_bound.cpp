@@ -40,6 +40,16 @@ struct Passage {
   }
 };
 
+/// Gives a cell what a sieve has left of it. The longest edge will be halved: how much each would gain is known from
+/// mixtures only.
+void narrow(Cell& cell, const Rest& rest) {
+  cell.box = rest.box;
+  cell.bound = std::max(cell.bound, rest.bound);
+  cell.low_point = rest.low_point;
+  cell.model = rest.value;
+  cell.spread = rest.box.half_edges().cast<float>();
+}
+
 }  // namespace
 
 double cutoff_value(const Objective& objective, double value, double gap) {
@@ -218,25 +228,24 @@ void BranchAndBound::halve(Slot& slot) const {
   const Cell& cell = slot.cell;
   for (int i = 1; i < 3; ++i)  // near ties go to the first axis, whatever the rounding
     if (cell.spread[i] > 1.0001f * cell.spread[slot.axis]) slot.axis = i;
-  const Halves left = sifts() ? sift(cell, slot.axis, table_, balls_, enough_)
-                              : Halves{cell.box.half(slot.axis, 0), cell.box.half(slot.axis, 1)};
+  Halves left;
+  if (sifts()) left = sift(cell, slot.axis, table_, balls_, enough_);
   for (std::size_t side = 0; side < 2; ++side) {
     Part& part = slot.parts[side];
     part.cell = cell;
-    if (!left[side]) {
-      part.cell.bound = enough_;
+    if (!sifts()) part.cell.box = cell.box.half(slot.axis, static_cast<int>(side));
+    else if (left[side]) narrow(part.cell, *left[side]);
+    else part.cell.bound = enough_;
+    if (part.cell.bound >= enough_) {
       part.state = Part::State::kDone;
-      continue;
-    }
-    part.cell.box = *left[side];
-    if (!part.cell.box.meets_zone()) {
+    } else if (!part.cell.box.meets_zone()) {
       part.state = Part::State::kOutside;
     } else if (balls_.hold(part.cell.box)) {
       part.state = Part::State::kInBall;
-    } else {
+    } else if (!sifts() || left[side]->value >= enough_) {
       part.reason = raise(part.cell);
       if (part.cell.bound >= enough_) part.state = Part::State::kDone;
-    }
+    }  // else no mixture of the known cuts can settle it, as none exceeds this value at the low point
   }
 }
 

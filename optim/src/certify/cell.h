@@ -28,9 +28,9 @@ struct Cell {
   double bound = 0;  ///< the objective is nowhere less on the box, up to rounding
   std::array<Bundle, 3> bundles;
 
-  /// The model of the objective is the sum over the axes of the largest of their cuts. This is where the mixture
-  /// of the corners puts the minimum of the model, and the model's value there: minus infinity until the cell has
-  /// been bounded.
+  /// The model of the objective is the sum over the axes of the largest of their cuts. This is where the sieve, or the
+  /// mixture of the corners, puts the minimum of the model, and the model's value there: minus infinity until the cell
+  /// has been bounded.
   Eigen::Vector3d low_point = Eigen::Vector3d::Zero();
   double model = -std::numeric_limits<double>::infinity();
 

@@ -1,6 +1,7 @@
 #include "certify/polish.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "certify/descent.h"
@@ -101,9 +102,13 @@ std::vector<ActiveGenerator> polish(Evaluator& evaluator) {
   descend(evaluator, start, evaluator.cut(start), kPolishDescent, kPolishRadius, 0);
   start = evaluator.incumbent().rotation;
   Neighbourhood faces(evaluator.objective().generators(), start);
+  std::vector<Condition> before;
   for (const double tolerance : kPolishTolerances) {
-    const std::vector<Condition> conditions = faces.independent(start, tolerance);
-    if (!conditions.empty()) evaluator.value(solve(conditions, start));
+    std::vector<Condition> conditions = faces.independent(start, tolerance);
+    if (conditions.empty()) break;  // so it is for a smaller tolerance
+    if (!std::ranges::equal(conditions, before, {}, &Condition::face, &Condition::face))
+      evaluator.value(solve(conditions, start));
+    before = std::move(conditions);
   }
   const Rotation& end = evaluator.incumbent().rotation;
   std::vector<ActiveGenerator> active;

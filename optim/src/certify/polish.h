@@ -11,6 +11,7 @@ namespace rectilin::certification {
 struct ActiveGenerator {
   int axis;               ///< 0, 1 or 2
   std::size_t generator;  ///< index into Objective::generators()
+  bool operator==(const ActiveGenerator&) const = default;
 };
 
 /// At a minimum faces are parallel to axes, r_k . v = 0, and as a rule three such conditions determine the frame. This

@@ -58,19 +58,24 @@ Halves sift(const Cell& cell, int axis, const CutTable& table, const Balls& ball
   const std::array<CutList, 3> lists = {list(0), list(1), list(2)};
   const double border = cell.box.centre()[axis];
   Halves halves;
-  const auto keep = [&](const Box& part) {
-    std::optional<Box>& half = halves[part.lower[axis] < border ? 0 : 1];
-    if (!half) half = part;
-    half->lower = half->lower.cwiseMin(part.lower);
-    half->upper = half->upper.cwiseMax(part.upper);
+  const auto keep = [&](const Rest& part) {
+    std::optional<Rest>& half = halves[part.box.lower[axis] < border ? 0 : 1];
+    if (!half) {
+      half = part;
+      return;
+    }
+    half->box.lower = half->box.lower.cwiseMin(part.box.lower);
+    half->box.upper = half->box.upper.cwiseMax(part.box.upper);
+    half->bound = std::min(half->bound, part.bound);
+    if (part.value < half->value) half->value = part.value, half->low_point = part.low_point;
   };
   const auto divide = [&](const auto& self, const Box& box, int level) -> void {
-    const std::uint32_t open = open_octants(box, lists, enough);
-    const bool further = level == 1 || (level < kLevels && std::popcount(open) <= kFew);
-    for_each_bit(open, [&](std::uint32_t number) {
+    const Octants octants = test_octants(box, lists, enough);
+    const bool further = level == 1 || (level < kLevels && std::popcount(octants.open) <= kFew);
+    for_each_bit(octants.open, [&](std::uint32_t number) {
       const Box part = octant(box, number);
       if (further) self(self, part, level + 1);
-      else if (!balls.hold(part)) keep(part);
+      else if (!balls.hold(part)) keep({part, octants.bound[number], octants.value[number], part.centre()});
     });
   };
   divide(divide, cell.box, 1);

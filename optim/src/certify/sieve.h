@@ -10,8 +10,16 @@
 
 namespace rectilin::certification {
 
+/// What is left of half a box.
+struct Rest {
+  Box box;
+  double bound;               ///< the objective is nowhere less on the box, up to rounding
+  double value;               ///< the least value that the cuts have at the middle of a part
+  Eigen::Vector3d low_point;  ///< this middle
+};
+
 /// What is left of the two halves of a box; nothing, if every part is settled.
-using Halves = std::array<std::optional<Box>, 2>;
+using Halves = std::array<std::optional<Rest>, 2>;
 
 /// Halves a cell's box across an axis, and shrinks each half to the smallest box that holds its parts (octants, their
 /// octants, and theirs) that cannot be settled. A part is settled if it is outside the zone, in a ball, or if three

@@ -62,10 +62,10 @@ HWY_INLINE Vectors greatest(const CutList& cuts, const Vectors& at) {
   return g;
 }
 
-std::uint32_t open_octants(const Box& box, const std::array<CutList, 3>& lists, double enough) {
+Octants test_octants(const Box& box, const std::array<CutList, 3>& lists, double enough) {
   const Lanes8 d;
   const V8 zero = hn::Zero(d), one = all(1), two = all(2);
-  std::uint32_t open = 0;
+  Octants octants;
   for (std::size_t first = 0; first < 8; first += hn::Lanes(d)) {
     // The octants have the middles c and half the edges of the box.
     V8 c[3], e[3], beyond = zero;
@@ -97,12 +97,14 @@ std::uint32_t open_octants(const Box& box, const std::array<CutList, 3>& lists, 
     };
     const V8 b0 = half_slope(w[0], m0, m01, m02), b1 = half_slope(w[1], m01, m1, m12),
              b2 = half_slope(w[2], m02, m12, m2);
-    V8 f = t;  // at the middle, then with what moving to a corner costs at most
+    V8 f = t, cost = zero;  // at the middle, and what moving to a corner costs by curvature
     const V8 slopes[3] = {b0, b1, b2}, curvatures[3] = {m0, m1, m2};
     for (int i = 0; i < 3; ++i) {
       f = hn::MulAdd(hn::Add(w[i], slopes[i]), c[i], f);
-      f = hn::MulAdd(hn::Min(curvatures[i], zero), hn::Mul(e[i], e[i]), f);
+      cost = hn::MulAdd(hn::Min(curvatures[i], zero), hn::Mul(e[i], e[i]), cost);
     }
+    hn::StoreU(hn::Add(all(enough), hn::Div(f, hn::Add(one, hn::Add(xx, hn::Add(yy, zz))))), d,
+               octants.value.data() + first);
     // The least of s . B + sum of s_i s_j C_ij over signs s; the third sign is the one that makes its factor negative.
     const V8 p0 = hn::Mul(two, hn::Mul(b0, e[0])), p1 = hn::Mul(two, hn::Mul(b1, e[1])),
              p2 = hn::Mul(two, hn::Mul(b2, e[2]));
@@ -114,12 +116,14 @@ std::uint32_t open_octants(const Box& box, const std::array<CutList, 3>& lists, 
       return hn::Min(hn::Sub(rest, hn::Abs(hn::Add(p2, last))), hn::Sub(hn::Neg(rest), hn::Abs(hn::Sub(p2, last))));
     };
     const V8 least = hn::Min(hn::Add(both(sum, along), q01), hn::Sub(both(less, across), q01));
-    const auto settled = hn::Or(hn::Ge(hn::Add(f, least), zero), hn::Gt(beyond, all(1 + 1e-12)));
+    const V8 bound = hn::Add(hn::Add(f, cost), least);
+    hn::StoreU(hn::Add(all(enough), bound), d, octants.bound.data() + first);
+    const auto settled = hn::Or(hn::Ge(bound, zero), hn::Gt(beyond, all(1 + 1e-12)));
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(d, hn::Not(settled), bits);
-    open |= (bits[0] & ((1u << hn::Lanes(d)) - 1)) << first;
+    octants.open |= (bits[0] & ((1u << hn::Lanes(d)) - 1)) << first;
   }
-  return open;
+  return octants;
 }
 
 }  // namespace
@@ -130,15 +134,15 @@ HWY_AFTER_NAMESPACE();
 namespace rectilin::certification {
 
 HWY_EXPORT(add_rivals);
-HWY_EXPORT(open_octants);
+HWY_EXPORT(test_octants);
 
 void add_rivals(const CutTable::Block& block, const Eigen::Vector3d& known, const Eigen::Vector3d& middle, double reach,
                 CutList& rivals) {
   HWY_DYNAMIC_DISPATCH(add_rivals)(block, known, middle, reach, rivals);
 }
 
-std::uint32_t open_octants(const Box& box, const std::array<CutList, 3>& lists, double enough) {
-  return HWY_DYNAMIC_DISPATCH(open_octants)(box, lists, enough);
+Octants test_octants(const Box& box, const std::array<CutList, 3>& lists, double enough) {
+  return HWY_DYNAMIC_DISPATCH(test_octants)(box, lists, enough);
 }
 
 }  // namespace rectilin::certification

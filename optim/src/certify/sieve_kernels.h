@@ -28,9 +28,15 @@ struct CutList {
 void add_rivals(const CutTable::Block& block, const Eigen::Vector3d& known, const Eigen::Vector3d& middle, double reach,
                 CutList& rivals);
 
-/// Which octants of the box cannot be settled, as bits: an octant's number has bit i set if it is the upper half of
-/// axis i. Settled are octants outside the zone, and those on which the sum of three cuts is at least `enough`: for
-/// each axis the one of its list that is greatest at the octant's middle. No list may be empty.
-std::uint32_t open_octants(const Box& box, const std::array<CutList, 3>& lists, double enough);
+/// What three cuts say of the octants of a box: for each axis the one that is greatest at the octant's middle. An
+/// octant's number has bit i set if it is the upper half of axis i.
+struct Octants {
+  std::uint32_t open = 0;       ///< as bits, those that are in the zone and whose bound is less than what is enough
+  std::array<double, 8> bound;  ///< of open ones: the objective is nowhere less on the octant, up to rounding
+  std::array<double, 8> value;  ///< the sum of the three cuts at the middle
+};
+
+/// Tests the octants of a box. No list may be empty.
+Octants test_octants(const Box& box, const std::array<CutList, 3>& lists, double enough);
 
 }  // namespace rectilin::certification
