@@ -42,7 +42,7 @@ class Model {
   }
 
  private:
-  static constexpr std::size_t kCapacity = 8;
+  static constexpr std::size_t kCapacity = 4;
   std::array<std::vector<Eigen::Vector3d>, 3> slopes_;
 };
 
