@@ -106,22 +106,6 @@ TEST_CASE("neighbours have similar directions", "[area_vectors]") {
   }
 }
 
-TEST_CASE("the leaves of a tree hold squares of directions", "[area_vectors]") {
-  Random random(13);
-  std::vector<Vector3> vectors(80'000);
-  for (Vector3& v : vectors) v = test::random_vector(random).normalized();
-  const AreaVectors sorted = area_vectors(std::move(vectors));
-  double sines = 0;  // the largest between the first and another vector of each leaf, summed
-  for (std::size_t begin = 0; begin < sorted.size(); begin += 8) {
-    double largest = 0;
-    for (std::size_t i = begin + 1; i < begin + 8; ++i)
-      largest = std::max(largest, sorted[begin].cross(sorted[i]).norm());
-    sines += largest;
-  }
-  const double side = std::sqrt(8 * 2 * std::numbers::pi / 80'000);
-  REQUIRE(sines / 10'000 < 1.1 * side);
-}
-
 TEST_CASE("the same vectors for any instruction set", "[area_vectors]") {
   const Mesh mesh = make_shape(Spec::parse("blob?faces=50000"));
   const AreaVectors reference = area_vectors(mesh);

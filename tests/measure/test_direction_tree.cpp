@@ -9,8 +9,10 @@
 #include "rectilin/measure/flat_sum.h"
 #include "rectilin/measure/projected_area.h"
 #include "support/catch.h"
+#include "support/random_meshes.h"
 #include "support/sum_fixtures.h"
 #include "tree/leaf_kernels.h"
+#include "vectors/kd_order.h"
 
 using namespace rectilin;
 
@@ -134,6 +136,24 @@ TEST_CASE("errors of the tree's shortened vectors average out", "[direction_tree
       CHECK(std::abs(h[k] - exact) <= 1e-13 * exact);
     }
   }
+}
+
+TEST_CASE("the leaves of a tree hold squares of directions", "[direction_tree]") {
+  Random random(13);
+  std::vector<Vector3> vectors(80'000);
+  for (Vector3& v : vectors) v = test::random_vector(random).normalized();
+  const AreaVectors sorted = area_vectors(std::move(vectors));
+  const std::vector<double> run = arranged({sorted.x.data(), sorted.y.data(), sorted.z.data(), kRun});
+  const auto vector = [&](std::size_t i) { return Vector3(run[i], run[kRun + i], run[2 * kRun + i]); };
+  double sines = 0;  // the largest between the first and another vector of each leaf, summed
+  for (std::size_t begin = 0; begin < kRun; begin += kLeaf) {
+    double largest = 0;
+    for (std::size_t i = begin + 1; i < begin + kLeaf; ++i)
+      largest = std::max(largest, vector(begin).cross(vector(i)).norm());
+    sines += largest;
+  }
+  const double side = std::sqrt(kLeaf * 2 * std::numbers::pi / 80'000);
+  REQUIRE(sines * kLeaf / kRun < 1.1 * side);
 }
 
 TEST_CASE("the tree bears degenerate vectors", "[direction_tree]") {

@@ -16,8 +16,7 @@ ProjectedArea::ProjectedArea(AreaVectors vectors, std::string name, SumMethod me
       flat_(vectors_, precision),
       use_tree_(method == SumMethod::kTree ||
                 (method == SumMethod::kAuto && DirectionTree::worthwhile(vectors_.size()))),
-      use_runs_(method == SumMethod::kAuto && !use_tree_ && precision == Precision::kDouble &&
-                RunSum::worthwhile(vectors_.size())),
+      use_runs_(method == SumMethod::kAuto && precision == Precision::kDouble && RunSum::worthwhile(vectors_.size())),
       name_(std::move(name)) {}
 
 const DirectionTree& ProjectedArea::tree() const {
@@ -61,8 +60,8 @@ void ProjectedArea::cuts(std::span<const Rotation> rotations, std::span<Cut> cut
   for (std::size_t begin = 0; begin < rotations.size(); begin += kRotationsPerPass) {
     const std::size_t count = std::min(kRotationsPerPass, rotations.size() - begin);
     for (std::size_t i = 0; i < 3 * count; ++i) directions[i] = rotations[begin + i / 3].axis(static_cast<int>(i % 3));
-    if (use_tree_) tree().cuts({directions.data(), 3 * count}, {subgradients.data(), 3 * count});
-    else if (use_runs_) runs().cuts({directions.data(), 3 * count}, {subgradients.data(), 3 * count});
+    if (use_runs_) runs().cuts({directions.data(), 3 * count}, {subgradients.data(), 3 * count});
+    else if (use_tree_) tree().cuts({directions.data(), 3 * count}, {subgradients.data(), 3 * count});
     else flat_.cuts({directions.data(), 3 * count}, {subgradients.data(), 3 * count});
     for (std::size_t i = 0; i < count; ++i) {
       Cut& cut = cuts[begin + i];
@@ -74,8 +73,8 @@ void ProjectedArea::cuts(std::span<const Rotation> rotations, std::span<Cut> cut
 
 CutBounds ProjectedArea::cut_bounds() const {
   // Two directions that were merged may be kParallel apart; dividing by S costs a few roundoffs.
-  const double flat = FlatSum::relative_error_bound(flat_.precision());  // also of values where cuts are by runs
-  const double sums = use_tree_ ? DirectionTree::kErrorBound : use_runs_ ? std::max(flat, RunSum::kErrorBound) : flat;
+  double sums = use_tree_ ? DirectionTree::kErrorBound : FlatSum::relative_error_bound(flat_.precision());
+  if (use_runs_) sums = std::max(sums, RunSum::kErrorBound);
   return {.error = sums + 4 * kParallel, .norm = 1 + 1e-12, .floor = 1 - 0x1p-50};  // floor: eq. (12)
 }
 

@@ -37,15 +37,17 @@ void pack_node(DirectionFamily& family, std::size_t j, const Vector3& sum, doubl
     family.sums[c][j] = (std::bit_cast<std::uint64_t>(sum[c]) & ~std::uint64_t{255}) | (kept & 255);
 }
 
-/// Fills all leaves and returns their sums. Runs have a fixed length, so that signs do not depend on the number
-/// of threads.
+/// Fills all leaves with the vectors in k-d order and returns their sums. Runs have a fixed length, so that order and
+/// signs do not depend on the number of threads.
 std::vector<Vector3> fill_runs(const AreaVectors& vectors, DirectionLeaf* leaves, std::size_t count,
                                std::uint64_t unit) {
   std::vector<Vector3> sums(count);
   const VectorSpan<double> all{vectors.x.data(), vectors.y.data(), vectors.z.data(), vectors.size()};
   tbb::parallel_for(std::size_t{0}, ceil_div(count * kLeaf, kRun), [&](std::size_t part) {
     const std::size_t begin = part * kRun, leaf = begin / kLeaf;
-    fill_leaves(all.slice(begin, std::min(begin + kRun, all.size)), unit, leaves + leaf, sums.data() + leaf);
+    const std::size_t size = std::min(kRun, all.size - begin);
+    const std::vector<double> run = arranged(all.slice(begin, begin + size));
+    fill_leaves({run.data(), run.data() + size, run.data() + 2 * size, size}, unit, leaves + leaf, sums.data() + leaf);
   });
   return sums;
 }

@@ -10,10 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "rectilin/base/ceil_div.h"
-#include "rectilin/measure/direction_tree.h"
 #include "vectors/hilbert_order.h"
-#include "vectors/kd_order.h"
 
 namespace rectilin {
 namespace {
@@ -66,14 +63,6 @@ void find_area_vectors(const MeshView& mesh, int exponent, std::vector<Vector3>&
       if (exponent != 0) a = a * scale * rest, b = b * scale * rest;
       vectors[i] = 0.5 * a.cross(b);
     }
-  });
-}
-
-/// Reorders runs of vectors that are neighbours along the curve so that neighbours in the plane stand together. Runs
-/// have a fixed length, so that the order does not depend on the number of threads.
-void arrange_runs(AreaVectors& vectors) {
-  tbb::parallel_for(std::size_t{0}, ceil_div(vectors.size(), kRun), [&](std::size_t part) {
-    arrange(vectors, part * kRun, std::min((part + 1) * kRun, vectors.size()));
   });
 }
 
@@ -184,7 +173,6 @@ AreaVectors merge(const std::vector<Vector3>& vectors, std::span<const OrderedVe
       for (const ParallelSum& sum : sums.of(order.subspan(i, end - i))) writer.write(sum.value());
   }
   writer.finish();
-  if (DirectionTree::worthwhile(result.size())) arrange_runs(result);  // the flat sum needs no order
   return result;
 }
 

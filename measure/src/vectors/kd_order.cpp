@@ -95,16 +95,17 @@ class Halving {
 
 }  // namespace
 
-void arrange(AreaVectors& vectors, std::size_t begin, std::size_t end) {
-  if (end - begin <= kLeaf) return;
-  const VectorSpan<double> all{vectors.x.data(), vectors.y.data(), vectors.z.data(), vectors.size()};
-  const Halving halving(plane_coordinates(all.slice(begin, end)));
-  std::vector<double> before(end - begin);
-  for (AlignedDoubles* component : {&vectors.x, &vectors.y, &vectors.z}) {
-    double* const run = component->data() + begin;
-    std::copy_n(run, before.size(), before.begin());
-    for (std::size_t i = 0; i < before.size(); ++i) run[i] = before[halving.order()[i]];
+std::vector<double> arranged(const VectorSpan<double>& run) {
+  std::vector<double> result(3 * run.size);
+  const double* components[] = {run.x, run.y, run.z};
+  if (run.size <= kLeaf) {
+    for (std::size_t c = 0; c < 3; ++c) std::copy_n(components[c], run.size, &result[c * run.size]);
+    return result;
   }
+  const Halving halving(plane_coordinates(run));
+  for (std::size_t c = 0; c < 3; ++c)
+    std::ranges::transform(halving.order(), &result[c * run.size], [&](std::uint16_t i) { return components[c][i]; });
+  return result;
 }
 
 }  // namespace rectilin

@@ -107,7 +107,7 @@ std::vector<ActiveGenerator> polish(Evaluator& evaluator) {
     std::vector<Condition> conditions = faces.independent(start, tolerance);
     if (conditions.empty()) break;  // so it is for a smaller tolerance
     if (!std::ranges::equal(conditions, before, {}, &Condition::face, &Condition::face))
-      evaluator.value(solve(conditions, start));
+      evaluator.cut(solve(conditions, start));  // what sums cuts is there already
     before = std::move(conditions);
   }
   const Rotation& end = evaluator.incumbent().rotation;

@@ -14,7 +14,8 @@ namespace rectilin {
 struct DirectionTreeKernels;
 struct DirectionTreeNodes;
 
-/// A tree over the area vectors in their stored order, which follows a space-filling curve of directions.
+/// A tree over the area vectors, in their stored order, which follows a space-filling curve of directions, and within
+/// runs of 32,768 in an order of its own.
 ///
 /// A node stands for a run of consecutive vectors: it has their sum V and a cap, a small disc on the sphere that
 /// holds all their directions. If the great circle u . v = 0 misses the cap, all u . v_i have the same sign, and the

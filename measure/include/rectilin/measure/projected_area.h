@@ -37,7 +37,7 @@ inline double rectilinearity(double ratio) { return 3 / ratio - 2; }
 
 /// How the sums over the area vectors are computed. All ways are exact up to rounding.
 enum class SumMethod {
-  kAuto,  ///< the tree if DirectionTree::worthwhile(), otherwise FlatSum, for cuts RunSum if that is worthwhile()
+  kAuto,  ///< the tree if DirectionTree::worthwhile(), otherwise FlatSum; for cuts RunSum if that is worthwhile()
   kFlat,  ///< FlatSum
   kTree,  ///< DirectionTree
 };

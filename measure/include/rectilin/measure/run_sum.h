@@ -27,7 +27,7 @@ class RunSum {
   /// For any instruction set and up to 2^20 vectors.
   static constexpr double kErrorBound = 1e-12;
 
-  /// Is this faster than FlatSum on a typical mesh, and never much slower?
+  /// For some hundreds of directions, are the runs better than both FlatSum and a tree that has to be made first?
   static bool worthwhile(std::size_t vectors);
 
  private:
