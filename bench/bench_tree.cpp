@@ -1,6 +1,8 @@
 // The normal tree: what it costs to build, and queries against the flat sum's.
 #include <cmath>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "bench.h"
 #include "inputs.h"
@@ -120,36 +122,39 @@ void worst(benchmark::State& state, std::size_t faces) {
   query(state, cylinder_vectors(faces), std::vector<Vector3>(kBatch, cylinder_axis()), kBatch, Query::kValues, 0);
 }
 
-/// Cuts by runs of vectors against those by all vectors, turn by turn, and what it takes to make the runs.
-void runs(benchmark::State& state, const AreaVectors& vectors, const std::vector<Vector3>& all) {
+/// Sums by runs of vectors against those by all vectors, turn by turn, and what it takes to make the runs.
+void runs(benchmark::State& state, const AreaVectors& vectors, const std::vector<Vector3>& all, Query what) {
   constexpr std::size_t kRotations = 16;  // a batch of the branch and bound
   const auto limit = threads(1);
   const FlatSum flat(vectors);
   const RunSum sum(vectors);
   Directions directions(all, 3 * kRotations);
+  std::vector<double> h(3 * kRotations);
   std::vector<Vector3> g(3 * kRotations);
   Stopwatch by_runs(thread_seconds), summing(thread_seconds), building(thread_seconds);
   for (auto _ : state) {
     const auto u = directions.next();
-    summing.time([&] { flat.cuts(u, g); });
+    summing.time([&] { what == Query::kValues ? flat.values(u, h) : flat.cuts(u, g); });
     building.time([&] { benchmark::DoNotOptimize(RunSum(vectors)); });
-    state.SetIterationTime(by_runs.time([&] { sum.cuts(u, g); }));
+    state.SetIterationTime(by_runs.time([&] { what == Query::kValues ? sum.values(u, h) : sum.cuts(u, g); }));
   }
-  state.counters["seconds_per_direction"] = by_runs.median() / static_cast<double>(g.size());
+  const auto asked = static_cast<double>(g.size());
+  state.counters["seconds_per_direction"] = by_runs.median() / asked;
   state.counters["over_flat"] = summing.median() / by_runs.median();
-  state.counters["building_in_flat_directions"] =
-      building.median() / (summing.median() / static_cast<double>(g.size()));
+  state.counters["building_in_flat_directions"] = building.median() / (summing.median() / asked);
 }
 
 }  // namespace
 
 void register_tree_benchmarks() {
   for (const std::size_t faces : {300u, 1000u, 3000u, 10'000u, 30'000u}) {
-    add("runs" + pair("faces", faces),
-        [faces](benchmark::State& state) { runs(state, smooth_vectors(faces), random_directions(6000)); });
-    add("runs/worst" + pair("faces", faces), [faces](benchmark::State& state) {
-      runs(state, cylinder_vectors(faces), std::vector<Vector3>(96, cylinder_axis()));
-    });
+    for (const auto& [name, what] : {std::pair{"values", Query::kValues}, {"cuts", Query::kCuts}}) {
+      add(std::string("runs/") + name + pair("faces", faces),
+          [=](benchmark::State& state) { runs(state, smooth_vectors(faces), random_directions(6000), what); });
+      add(std::string("runs/worst_") + name + pair("faces", faces), [=](benchmark::State& state) {
+        runs(state, cylinder_vectors(faces), std::vector<Vector3>(96, cylinder_axis()), what);
+      });
+    }
   }
   for (const std::size_t faces : {1000u, 10'000u, 30'000u, 100'000u, 300'000u, 1'000'000u, 3'000'000u, 10'000'000u}) {
     add_queries(faces);

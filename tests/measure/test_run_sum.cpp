@@ -40,9 +40,12 @@ void check(const Directions& vectors) {
     const RunSum sum(area);
     Directions g(u.size());
     sum.cuts(u, g);
+    std::vector<double> h(u.size());
+    sum.values(u, h);
     for (std::size_t k = 0; k < u.size(); ++k) {
       CAPTURE(u[k].transpose());
       const double bound = RunSum::kErrorBound * area.total;
+      CHECK(std::abs(h[k] - exact_value(vectors, u[k])) <= bound * u[k].stableNorm());
       CHECK(std::abs(g[k].dot(u[k]) - exact_value(vectors, u[k])) <= bound * u[k].stableNorm());
       for (const Vector3& w : u) CHECK(g[k].dot(w) <= exact_value(vectors, w) + bound * w.stableNorm());
     }
@@ -51,7 +54,7 @@ void check(const Directions& vectors) {
 
 }  // namespace
 
-TEST_CASE("cuts by runs are exact at every size", "[run_sum]") {
+TEST_CASE("sums by runs are exact at every size", "[run_sum]") {
   for (std::size_t size = 0; size <= 40; ++size) check(gaussian(size, 1));
   for (const std::size_t size : {127u, 128u, 129u, 1023u, 1024u, 1025u, 5000u}) {
     check(gaussian(size, 2));
@@ -59,7 +62,7 @@ TEST_CASE("cuts by runs are exact at every size", "[run_sum]") {
   }
 }
 
-TEST_CASE("cuts by runs bear vectors that cancel, vanish or are parallel", "[run_sum]") {
+TEST_CASE("sums by runs bear vectors that cancel, vanish or are parallel", "[run_sum]") {
   const Vector3 v = Vector3(1, 2, 3).normalized();
   Directions opposite, tilted, fading = helix(400);
   for (std::size_t i = 0; i < 400; ++i) {

@@ -49,6 +49,7 @@ void ProjectedArea::values(std::span<const Rotation> rotations, std::span<double
         }
       }
     if (use_tree_) tree().values({directions.data(), used}, {h.data(), used});
+    else if (use_runs_) runs().values({directions.data(), used}, {h.data(), used});
     else flat_.values({directions.data(), used}, {h.data(), used});
     for (std::size_t i = 0; i < count; ++i)
       values[begin + i] = (h[axes[i][0]] + h[axes[i][1]] + h[axes[i][2]]) / vectors_.total;

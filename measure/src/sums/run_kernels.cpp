@@ -23,10 +23,10 @@ namespace {
 
 using D = hn::CappedTag<double, 8>;
 using V = hn::Vec<D>;
-using Sum = NegativeSum<D>;
 
 /// The sum for one direction over some runs. Two registers for each component take turns, so that an addition does not
 /// wait for the one before.
+template <class Sum>
 class Pass {
  public:
   HWY_INLINE Pass(const Runs& runs, const RunQuery& query)
@@ -88,26 +88,35 @@ class Pass {
   Sum even_, odd_;
 };
 
-void sum_all(const Runs& runs, const RunQuery* queries, std::size_t directions, double* sums) {
+template <class Sum>
+HWY_INLINE void sum_all(const Runs& runs, const RunQuery* queries, std::size_t directions, double* sums) {
   constexpr std::size_t kLanes = Sum::kOutputs * hn::MaxLanes(D());
   HWY_ALIGN double lanes[kSlab * kLanes];
   std::fill_n(lanes, directions * kLanes, 0.0);
   for (std::size_t begin = 0; begin < runs.sums.size; begin += kRunsPerBlock) {
     const std::size_t end = std::min(begin + kRunsPerBlock, runs.sums.size);
     for (std::size_t k = 0; k < directions; ++k) {
-      Pass pass(runs, queries[k]);
+      Pass<Sum> pass(runs, queries[k]);
       for (std::size_t i = begin; i < end; i += 64) pass.add(i, std::min(i + 64, end));
       pass.add_to_lanes(lanes + k * kLanes);
     }
   }
   for (std::size_t k = 0; k < directions; ++k) {
-    Pass pass(runs, queries[k]);
+    Pass<Sum> pass(runs, queries[k]);
     pass.open(runs.rest, 0);
     pass.add_to_lanes(lanes + k * kLanes);
   }
   const D d;
   for (std::size_t i = 0; i < directions * Sum::kOutputs; ++i)
     sums[i] += lane_sum(d, hn::Load(d, lanes + i * hn::Lanes(d)));
+}
+
+void parts(const Runs& runs, const RunQuery* queries, std::size_t directions, double* sums) {
+  sum_all<NegativePart<D>>(runs, queries, directions, sums);
+}
+
+void vectors(const Runs& runs, const RunQuery* queries, std::size_t directions, double* sums) {
+  sum_all<NegativeSum<D>>(runs, queries, directions, sums);
 }
 
 void fill(const VectorSpan<double>& vectors, double* x, double* y, double* z, double* radius) {
@@ -137,11 +146,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace rectilin {
 
-HWY_EXPORT(sum_all);
+HWY_EXPORT(parts);
+HWY_EXPORT(vectors);
 HWY_EXPORT(fill);
 
-void sum_negative(const Runs& runs, const RunQuery* queries, std::size_t directions, double* sums) {
-  HWY_DYNAMIC_DISPATCH(sum_all)(runs, queries, directions, sums);
+void sum_negative_parts(const Runs& runs, const RunQuery* queries, std::size_t directions, double* sums) {
+  HWY_DYNAMIC_DISPATCH(parts)(runs, queries, directions, sums);
+}
+
+void sum_negative_vectors(const Runs& runs, const RunQuery* queries, std::size_t directions, double* sums) {
+  HWY_DYNAMIC_DISPATCH(vectors)(runs, queries, directions, sums);
 }
 
 void fill_runs(const VectorSpan<double>& vectors, double* x, double* y, double* z, double* radius) {

@@ -32,8 +32,10 @@ struct RunQuery {
   double reach;  ///< |u| / |scale|: the circle meets a cap of radius r if |s| < |V| sin(r) reach
 };
 
-/// Adds the sum of the v with s < 0 to sums[3 k], sums[3 k + 1], sums[3 k + 2] for every direction k.
-void sum_negative(const Runs& runs, const RunQuery* queries, std::size_t directions, double* sums);
+/// Adds the sum of min(s, 0) to sums[k] for every direction k, or the sum of the v with s < 0 to sums[3 k], sums[3 k +
+/// 1], sums[3 k + 2].
+void sum_negative_parts(const Runs& runs, const RunQuery* queries, std::size_t directions, double* sums);
+void sum_negative_vectors(const Runs& runs, const RunQuery* queries, std::size_t directions, double* sums);
 
 /// Fills the sums and radii of runs.
 void fill_runs(const VectorSpan<double>& vectors, double* x, double* y, double* z, double* radius);

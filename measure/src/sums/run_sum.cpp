@@ -39,8 +39,11 @@ RunSum::RunSum(const AreaVectors& vectors) : vectors_(&vectors), rest_(3 * kRunL
   }
 }
 
-void RunSum::cuts(std::span<const Vector3> u, std::span<Vector3> g) const {
-  assert(u.size() == g.size());
+/// Calls `finish(u, scale, sums)` to turn a kernel's sums for each direction into a result.
+template <class Result, class Finish>
+void RunSum::evaluate(RunKernel kernel, std::size_t width, std::span<const Vector3> u, std::span<Result> results,
+                      const Finish& finish) const {
+  assert(u.size() == results.size());
   const std::size_t padded = runs_.size() / 4;
   const double *x = runs_.data(), *rest = rest_.data();
   const Runs runs = {{vectors_->x.data(), vectors_->y.data(), vectors_->z.data(), vectors_->size()},
@@ -57,16 +60,25 @@ void RunSum::cuts(std::span<const Vector3> u, std::span<Vector3> g) const {
       const Slope<double> s = slope<double>(u[begin + k], scale[k]);
       queries[k] = {s, std::sqrt(1 + s.a * s.a + s.b * s.b)};
     }
-    sum_negative(runs, queries.data(), count, sums.data());
-    for (std::size_t k = 0; k < count; ++k) {
-      const double* sum = &sums[3 * k];
-      g[begin + k] = cut_from_negative(total_, scale[k], {sum[0], sum[1], sum[2]});
-    }
+    kernel(runs, queries.data(), count, sums.data());
+    for (std::size_t k = 0; k < count; ++k) results[begin + k] = finish(u[begin + k], scale[k], &sums[width * k]);
   };
   const std::size_t tasks = ceil_div(u.size(), kDirectionsPerTask);
   if (padded * u.size() >= kSerialRuns) tbb::parallel_for(std::size_t{0}, tasks, some);
   else
     for (std::size_t task = 0; task < tasks; ++task) some(task);
+}
+
+void RunSum::values(std::span<const Vector3> u, std::span<double> h) const {
+  evaluate(sum_negative_parts, 1, u, h, [this](const Vector3& w, double scale, const double* part) {
+    return value_from_negative(total_, w, scale, *part);
+  });
+}
+
+void RunSum::cuts(std::span<const Vector3> u, std::span<Vector3> g) const {
+  evaluate(sum_negative_vectors, 3, u, g, [this](const Vector3&, double scale, const double* sum) {
+    return cut_from_negative(total_, scale, {sum[0], sum[1], sum[2]});
+  });
 }
 
 bool RunSum::worthwhile(std::size_t vectors) {

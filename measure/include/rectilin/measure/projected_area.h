@@ -18,7 +18,8 @@
 //     rectilinearity(1.0);                                               // 1
 //
 // A tree sums a million vectors in microseconds (direction_tree.h); a flat sum goes over all of them with vector
-// instructions (flat_sum.h), or for cuts over runs of eight (run_sum.h). The number of vectors decides which is used.
+// instructions (flat_sum.h); in between, runs of sixteen are summed at once where they can be (run_sum.h). The number
+// of vectors decides which of them is used.
 #pragma once
 
 #include <mutex>
@@ -37,7 +38,7 @@ inline double rectilinearity(double ratio) { return 3 / ratio - 2; }
 
 /// How the sums over the area vectors are computed. All ways are exact up to rounding.
 enum class SumMethod {
-  kAuto,  ///< the tree if DirectionTree::worthwhile(), otherwise FlatSum; for cuts RunSum if that is worthwhile()
+  kAuto,  ///< DirectionTree or RunSum if worthwhile(), otherwise FlatSum; if both, the tree for values, runs for cuts
   kFlat,  ///< FlatSum
   kTree,  ///< DirectionTree
 };
@@ -45,7 +46,7 @@ enum class SumMethod {
 /// P(R)/S of a mesh, to be minimised over rotations; its merit is the rectilinearity. P(R) = h(r1) + h(r2) + h(r3) with
 /// h(u) = sum_i |u . v_i| over the area vectors (eqs. 1, 2, 7). Immutable and thread safe, with the same bits for any
 /// number of threads and any division into batches. `precision` applies to the flat sum only; the tree, the flat sum
-/// inside it and the runs use double precision. In single precision cuts are by the flat sum.
+/// inside it and the runs, which are not used in single precision, use double precision.
 class ProjectedArea final : public Objective {
  public:
   explicit ProjectedArea(AreaVectors vectors, std::string name = "mesh", SumMethod method = SumMethod::kAuto,

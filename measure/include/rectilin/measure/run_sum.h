@@ -1,4 +1,5 @@
-// Subgradients of h(u) = sum_i |u . v_i| for meshes of middling size, by runs of vectors with similar directions.
+// The objective's inner loop h(u) = sum_i |u . v_i| for meshes of middling size, by runs of vectors with similar
+// directions.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +8,9 @@
 #include "rectilin/measure/area_vectors.h"
 
 namespace rectilin {
+
+struct Runs;
+struct RunQuery;
 
 /// Sums over the area vectors in their stored order, in runs of sixteen. A run has a sum V and a cap, a small disc on
 /// the sphere around V that holds the directions of its vectors. Where the great circle u . v = 0 misses the cap, V
@@ -21,6 +25,9 @@ class RunSum {
   /// runs at its rim gain nothing. O(N).
   explicit RunSum(const AreaVectors& vectors);
 
+  /// As FlatSum::values(), with an error of at most kErrorBound |u| S.
+  void values(std::span<const Vector3> u, std::span<double> h) const;
+
   /// As FlatSum::cuts(): h(w) >= g[k] . w for every w, with equality at u[k], both up to kErrorBound |w| S.
   void cuts(std::span<const Vector3> u, std::span<Vector3> g) const;
 
@@ -32,6 +39,11 @@ class RunSum {
   static bool worthwhile(std::size_t vectors);
 
  private:
+  using RunKernel = void (*)(const Runs&, const RunQuery*, std::size_t, double*);
+  template <class Result, class Finish>
+  void evaluate(RunKernel kernel, std::size_t width, std::span<const Vector3> u, std::span<Result> results,
+                const Finish& finish) const;
+
   const AreaVectors* vectors_;
   AlignedDoubles runs_;  // x, y, z of sums and the caps' radii, each padded with zeros
   AlignedDoubles rest_;  // x, y, z of the vectors that do not fill a run
