@@ -111,11 +111,11 @@ HWY_INLINE void sum_all(const Runs& runs, const RunQuery* queries, std::size_t d
     sums[i] += lane_sum(d, hn::Load(d, lanes + i * hn::Lanes(d)));
 }
 
-void parts(const Runs& runs, const RunQuery* queries, std::size_t directions, double* sums) {
+void sum_parts(const Runs& runs, const RunQuery* queries, std::size_t directions, double* sums) {
   sum_all<NegativePart<D>>(runs, queries, directions, sums);
 }
 
-void vectors(const Runs& runs, const RunQuery* queries, std::size_t directions, double* sums) {
+void sum_vectors(const Runs& runs, const RunQuery* queries, std::size_t directions, double* sums) {
   sum_all<NegativeSum<D>>(runs, queries, directions, sums);
 }
 
@@ -146,16 +146,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace rectilin {
 
-HWY_EXPORT(parts);
-HWY_EXPORT(vectors);
+HWY_EXPORT(sum_parts);
+HWY_EXPORT(sum_vectors);
 HWY_EXPORT(fill);
 
 void sum_negative_parts(const Runs& runs, const RunQuery* queries, std::size_t directions, double* sums) {
-  HWY_DYNAMIC_DISPATCH(parts)(runs, queries, directions, sums);
+  HWY_DYNAMIC_DISPATCH(sum_parts)(runs, queries, directions, sums);
 }
 
 void sum_negative_vectors(const Runs& runs, const RunQuery* queries, std::size_t directions, double* sums) {
-  HWY_DYNAMIC_DISPATCH(vectors)(runs, queries, directions, sums);
+  HWY_DYNAMIC_DISPATCH(sum_vectors)(runs, queries, directions, sums);
 }
 
 void fill_runs(const VectorSpan<double>& vectors, double* x, double* y, double* z, double* radius) {
