@@ -99,12 +99,13 @@ std::vector<double> arranged(const VectorSpan<double>& run) {
   std::vector<double> result(3 * run.size);
   const double* components[] = {run.x, run.y, run.z};
   if (run.size <= kLeaf) {
-    for (std::size_t c = 0; c < 3; ++c) std::copy_n(components[c], run.size, &result[c * run.size]);
+    for (std::size_t c = 0; c < 3; ++c) std::copy_n(components[c], run.size, result.data() + c * run.size);
     return result;
   }
   const Halving halving(plane_coordinates(run));
   for (std::size_t c = 0; c < 3; ++c)
-    std::ranges::transform(halving.order(), &result[c * run.size], [&](std::uint16_t i) { return components[c][i]; });
+    std::ranges::transform(halving.order(), result.data() + c * run.size,
+                           [&](std::uint16_t i) { return components[c][i]; });
   return result;
 }
 
