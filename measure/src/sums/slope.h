@@ -17,8 +17,6 @@ namespace rectilin {
 /// The rounding error of scale (a x + b y + z) is a few units in the last place of |u_x x| + |u_y y| + |u_z z| <= |u|
 /// |v|, however steep the slopes, as it is for u . v itself. Where u_z is (nearly) zero it is moved away from zero by
 /// kTiny max |u_k|, which is far below that error.
-/// |u_x x| + |u_y y| + |u_z z| <= |u| |v| however steep the slopes, as for u . v itself. Where u_z
-/// is (nearly) zero it is moved away from zero by kTiny max |u_k|, which is far below that error.
 template <class T>
 struct Slope {
   T a, b;
