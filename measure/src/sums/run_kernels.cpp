@@ -35,18 +35,24 @@ class Pass {
         b_(hn::Set(D(), query.slope.b)),
         reach_(hn::Set(D(), query.reach)) {}
 
-  /// Adds at most 64 runs: those that the circle misses, then the vectors of those that it meets.
-  HWY_INLINE void add(std::size_t begin, std::size_t end) {
-    const std::size_t lanes = hn::Lanes(D());
-    std::uint64_t met = 0;  // a bit for each run
-    for (std::size_t i = begin; i < end; i += 2 * lanes) {
-      met |= test(i, even_) << (i - begin);
-      met |= test(i + lanes, odd_) << (i + lanes - begin);
+  /// Adds a block of groups: those that the circle misses, then of those that it meets the runs that it misses, then
+  /// the vectors of those that it meets.
+  HWY_INLINE void add(std::size_t block) {
+    const std::size_t lanes = hn::Lanes(D()), begin = block * kGroupsPerBlock;
+    std::uint64_t groups = 0;  // a bit for each
+    for (std::size_t i = 0; i < kGroupsPerBlock; i += 2 * lanes) {
+      groups |= test(runs_.groups, begin + i, even_) << i;
+      groups |= test(runs_.groups, begin + i + lanes, odd_) << (i + lanes);
     }
-    while (met != 0) {
-      open(runs_.vectors, begin + static_cast<std::size_t>(std::countr_zero(met)));
-      met &= met - 1;
+    std::uint64_t met[kGroupsPerBlock * kGroup / 64] = {};  // a bit for each run
+    for (; groups != 0; groups &= groups - 1) {
+      const auto group = static_cast<std::size_t>(std::countr_zero(groups)) * kGroup;
+      for (std::size_t i = 0; i < kGroup; i += lanes)
+        met[group / 64] |= test(runs_.runs, begin * kGroup + group + i, odd_) << (group + i) % 64;
     }
+    for (std::size_t word = 0; word < std::size(met); ++word)
+      for (std::uint64_t bits = met[word]; bits != 0; bits &= bits - 1)
+        open(runs_.vectors, begin * kGroup + 64 * word + static_cast<std::size_t>(std::countr_zero(bits)));
   }
 
   /// Adds the vectors of a run one by one.
@@ -66,11 +72,11 @@ class Pass {
  private:
   HWY_INLINE V product(V x, V y, V z) const { return hn::MulAdd(a_, x, hn::MulAdd(b_, y, z)); }
 
-  HWY_INLINE std::uint64_t test(std::size_t i, Sum& sum) const {
+  HWY_INLINE std::uint64_t test(const Caps& caps, std::size_t i, Sum& sum) const {
     const D d;
-    const V x = hn::Load(d, runs_.sums.x + i), y = hn::Load(d, runs_.sums.y + i), z = hn::Load(d, runs_.sums.z + i);
+    const V x = hn::Load(d, caps.sums.x + i), y = hn::Load(d, caps.sums.y + i), z = hn::Load(d, caps.sums.z + i);
     const V s = product(x, y, z);
-    const auto meets = hn::Lt(hn::Abs(s), hn::Mul(hn::Load(d, runs_.radius + i), reach_));
+    const auto meets = hn::Lt(hn::Abs(s), hn::Mul(hn::Load(d, caps.radius + i), reach_));
     sum.add(x, y, z, hn::IfThenZeroElse(meets, s));
     std::uint8_t byte[8] = {};
     hn::StoreMaskBits(d, meets, byte);
@@ -93,14 +99,12 @@ HWY_INLINE void sum_all(const Runs& runs, const RunQuery* queries, std::size_t d
   constexpr std::size_t kLanes = Sum::kOutputs * hn::MaxLanes(D());
   HWY_ALIGN double lanes[kSlab * kLanes];
   std::fill_n(lanes, directions * kLanes, 0.0);
-  for (std::size_t begin = 0; begin < runs.sums.size; begin += kRunsPerBlock) {
-    const std::size_t end = std::min(begin + kRunsPerBlock, runs.sums.size);
+  for (std::size_t block = 0; block < runs.groups.sums.size / kGroupsPerBlock; ++block)
     for (std::size_t k = 0; k < directions; ++k) {
       Pass<Sum> pass(runs, queries[k]);
-      for (std::size_t i = begin; i < end; i += 64) pass.add(i, std::min(i + 64, end));
+      pass.add(block);
       pass.add_to_lanes(lanes + k * kLanes);
     }
-  }
   for (std::size_t k = 0; k < directions; ++k) {
     Pass<Sum> pass(runs, queries[k]);
     pass.open(runs.rest, 0);
@@ -119,23 +123,23 @@ void sum_vectors(const Runs& runs, const RunQuery* queries, std::size_t directio
   sum_all<NegativeSum<D>>(runs, queries, directions, sums);
 }
 
-void fill(const VectorSpan<double>& vectors, double* x, double* y, double* z, double* radius) {
+void all_caps(const VectorSpan<double>& vectors, std::size_t length, double* x, double* y, double* z, double* radius) {
   const D d;
-  for (std::size_t run = 0; run < vectors.size / kRunLength; ++run) {
-    const std::size_t begin = kRunLength * run, end = begin + kRunLength;
+  for (std::size_t begin = 0, run = 0; begin < vectors.size; begin += length, ++run) {
+    const std::size_t end = std::min(begin + length, vectors.size);
     const auto total = [&](const double* c) HWY_ATTR {
       V sum = hn::LoadU(d, c + begin);
       for (std::size_t i = begin + hn::Lanes(d); i < end; i += hn::Lanes(d)) sum = hn::Add(sum, hn::LoadU(d, c + i));
       return lane_sum(d, sum);
     };
     x[run] = total(vectors.x), y[run] = total(vectors.y), z[run] = total(vectors.z);
-    const double length = std::sqrt(x[run] * x[run] + y[run] * y[run] + z[run] * z[run]);
-    const V ax = hn::Set(d, x[run] / length), ay = hn::Set(d, y[run] / length), az = hn::Set(d, z[run] / length);
+    const double norm = std::sqrt(x[run] * x[run] + y[run] * y[run] + z[run] * z[run]);
+    const V ax = hn::Set(d, x[run] / norm), ay = hn::Set(d, y[run] / norm), az = hn::Set(d, z[run] / norm);
     V largest = hn::Zero(d);
     for (std::size_t i = begin; i < end; i += hn::Lanes(d))
       largest = hn::Max(largest, squared_sine(d, hn::LoadU(d, vectors.x + i), hn::LoadU(d, vectors.y + i),
                                               hn::LoadU(d, vectors.z + i), ax, ay, az));
-    radius[run] = cap_radius(length, hn::GetLane(hn::MaxOfLanes(d, largest)));
+    radius[run] = cap_radius(norm, hn::GetLane(hn::MaxOfLanes(d, largest)));
   }
 }
 
@@ -148,7 +152,7 @@ namespace rectilin {
 
 HWY_EXPORT(sum_parts);
 HWY_EXPORT(sum_vectors);
-HWY_EXPORT(fill);
+HWY_EXPORT(all_caps);
 
 void sum_negative_parts(const Runs& runs, const RunQuery* queries, std::size_t directions, double* sums) {
   HWY_DYNAMIC_DISPATCH(sum_parts)(runs, queries, directions, sums);
@@ -158,8 +162,8 @@ void sum_negative_vectors(const Runs& runs, const RunQuery* queries, std::size_t
   HWY_DYNAMIC_DISPATCH(sum_vectors)(runs, queries, directions, sums);
 }
 
-void fill_runs(const VectorSpan<double>& vectors, double* x, double* y, double* z, double* radius) {
-  HWY_DYNAMIC_DISPATCH(fill)(vectors, x, y, z, radius);
+void find_caps(const VectorSpan<double>& vectors, std::size_t length, double* x, double* y, double* z, double* radius) {
+  HWY_DYNAMIC_DISPATCH(all_caps)(vectors, length, x, y, z, radius);
 }
 
 }  // namespace rectilin

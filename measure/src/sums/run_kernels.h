@@ -11,19 +11,25 @@ namespace rectilin {
 /// Number of vectors in a run. Of 8, 16 and 32, 16 made proofs of meshes fastest (papers/throughput.md).
 inline constexpr std::size_t kRunLength = 16;
 
-/// A block of runs stays in the first-level cache while all directions read it, and bounds the number of terms in a
-/// register.
-inline constexpr std::size_t kRunsPerBlock = 128;
+/// Number of runs in a group.
+inline constexpr std::size_t kGroup = 8;
 
-/// The number of runs is a multiple of this: two of the widest registers.
-inline constexpr std::size_t kRunsTogether = 16;
+/// A block of groups stays in the first-level cache while all directions read it, and bounds the number of terms in a
+/// register. The number of groups is a multiple of this, which is two of the widest registers.
+inline constexpr std::size_t kGroupsPerBlock = 16;
 
-/// Runs of vectors: the vectors of run r are `vectors` kRunLength r and following. `sums` holds their sums V, and
-/// radius[r] is that of the cap around V with all of them (cap.h). Padded with zeros to a multiple of kRunsTogether.
-/// `rest` are kRunLength more vectors, each looked at for itself.
-struct Runs {
-  VectorSpan<double> vectors, sums;
+/// Sums V of consecutive vectors, and of the caps around V with all of them the radii (cap.h).
+struct Caps {
+  VectorSpan<double> sums;
   const double* radius;
+};
+
+/// Runs of vectors, and groups of runs: the vectors of run r are `vectors` kRunLength r and following, the runs of
+/// group g are `runs` kGroup g and following. Runs and groups that are missing are zeros. `rest` are kRunLength more
+/// vectors, each looked at for itself.
+struct Runs {
+  VectorSpan<double> vectors;
+  Caps runs, groups;
   VectorSpan<double> rest;
 };
 
@@ -37,7 +43,7 @@ struct RunQuery {
 void sum_negative_parts(const Runs& runs, const RunQuery* queries, std::size_t directions, double* sums);
 void sum_negative_vectors(const Runs& runs, const RunQuery* queries, std::size_t directions, double* sums);
 
-/// Fills the sums and radii of runs.
-void fill_runs(const VectorSpan<double>& vectors, double* x, double* y, double* z, double* radius);
+/// Finds the sums and the caps of `length` vectors each, the last of fewer: both are multiples of kRunLength.
+void find_caps(const VectorSpan<double>& vectors, std::size_t length, double* x, double* y, double* z, double* radius);
 
 }  // namespace rectilin

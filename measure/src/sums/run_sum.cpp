@@ -19,21 +19,37 @@ constexpr std::size_t kDirectionsPerTask = 24;
 // Below this many pairs of a run and a direction, some 50 microseconds of work, tasks cost more than they save.
 constexpr std::size_t kSerialRuns = std::size_t{1} << 17;
 
+/// Room for `padded` sums and radii.
+AlignedDoubles find(const VectorSpan<double>& vectors, std::size_t length, std::size_t padded) {
+  AlignedDoubles caps(4 * padded);
+  double* x = caps.data();
+  find_caps(vectors, length, x, x + padded, x + 2 * padded, x + 3 * padded);
+  return caps;
+}
+
+VectorSpan<double> columns(const AlignedDoubles& values, std::size_t size) {
+  const double* x = values.data();
+  return {x, x + size, x + 2 * size, size};
+}
+
+Caps view(const AlignedDoubles& caps) {
+  const std::size_t size = caps.size() / 4;
+  return {columns(caps, size), caps.data() + 3 * size};
+}
+
 }  // namespace
 
 RunSum::RunSum(const AreaVectors& vectors) : vectors_(&vectors), rest_(3 * kRunLength) {
-  const std::size_t count = vectors.size() / kRunLength, whole = count * kRunLength;
-  const std::size_t padded = ceil_div(count, kRunsTogether) * kRunsTogether;
-  runs_.resize(4 * padded);
-  double* x = runs_.data();
-  fill_runs({vectors.x.data(), vectors.y.data(), vectors.z.data(), whole}, x, x + padded, x + 2 * padded,
-            x + 3 * padded);
+  const std::size_t count = vectors.size() / kRunLength, whole = count * kRunLength, groups = ceil_div(count, kGroup);
+  const VectorSpan<double> all = {vectors.x.data(), vectors.y.data(), vectors.z.data(), whole};
+  runs_ = find(all, kRunLength, groups * kGroup);
+  groups_ = find(all, kRunLength * kGroup, ceil_div(groups, kGroupsPerBlock) * kGroupsPerBlock);
   const AlignedDoubles* components[] = {&vectors.x, &vectors.y, &vectors.z};
   for (std::size_t c = 0; c < 3; ++c) {
     double* rest = &rest_[c * kRunLength];
     std::copy(components[c]->begin() + static_cast<std::ptrdiff_t>(whole), components[c]->end(), rest);
     TwoSum total{};
-    for (std::size_t run = 0; run < count; ++run) total.add(x[c * padded + run]);
+    for (std::size_t run = 0; run < count; ++run) total.add(runs_[c * groups * kGroup + run]);
     for (std::size_t i = 0; i < kRunLength; ++i) total.add(rest[i]);
     total_[static_cast<int>(c)] = total.value();
   }
@@ -44,12 +60,10 @@ template <class Result, class Finish>
 void RunSum::evaluate(RunKernel kernel, std::size_t width, std::span<const Vector3> u, std::span<Result> results,
                       const Finish& finish) const {
   assert(u.size() == results.size());
-  const std::size_t padded = runs_.size() / 4;
-  const double *x = runs_.data(), *rest = rest_.data();
   const Runs runs = {{vectors_->x.data(), vectors_->y.data(), vectors_->z.data(), vectors_->size()},
-                     {x, x + padded, x + 2 * padded, padded},
-                     x + 3 * padded,
-                     {rest, rest + kRunLength, rest + 2 * kRunLength, kRunLength}};
+                     view(runs_),
+                     view(groups_),
+                     columns(rest_, kRunLength)};
   const auto some = [&](std::size_t task) {
     const std::size_t begin = task * kDirectionsPerTask, count = std::min(kDirectionsPerTask, u.size() - begin);
     std::array<double, kDirectionsPerTask> scale;
@@ -64,7 +78,7 @@ void RunSum::evaluate(RunKernel kernel, std::size_t width, std::span<const Vecto
     for (std::size_t k = 0; k < count; ++k) results[begin + k] = finish(u[begin + k], scale[k], &sums[width * k]);
   };
   const std::size_t tasks = ceil_div(u.size(), kDirectionsPerTask);
-  if (padded * u.size() >= kSerialRuns) tbb::parallel_for(std::size_t{0}, tasks, some);
+  if (runs.runs.sums.size * u.size() >= kSerialRuns) tbb::parallel_for(std::size_t{0}, tasks, some);
   else
     for (std::size_t task = 0; task < tasks; ++task) some(task);
 }

@@ -14,8 +14,8 @@ struct RunQuery;
 
 /// Sums over the area vectors in their stored order, in runs of sixteen. A run has a sum V and a cap, a small disc on
 /// the sphere around V that holds the directions of its vectors. Where the great circle u . v = 0 misses the cap, V
-/// stands for the run; only the vectors of other runs are looked at one by one. A direction tree does this on many
-/// levels; one level is made in a fraction of the time.
+/// stands for the run; only the vectors of other runs are looked at one by one. The same goes for groups of eight runs.
+/// A direction tree does this on many levels; two are made in a fraction of the time.
 ///
 /// A result depends on its direction, the area vectors and the instruction set alone, bit for bit. Directions must
 /// satisfy what FlatSum requires. Const and thread safe; large calls use TBB's current arena.
@@ -31,8 +31,8 @@ class RunSum {
   /// As FlatSum::cuts(): h(w) >= g[k] . w for every w, with equality at u[k], both up to kErrorBound |w| S.
   void cuts(std::span<const Vector3> u, std::span<Vector3> g) const;
 
-  /// For any instruction set and up to 2^17 vectors: a register takes at most 1088 terms of a block of runs, and then
-  /// those of the other blocks.
+  /// For any instruction set and up to 2^17 vectors: a register takes at most 1160 terms of a block of groups, and
+  /// then those of the other blocks.
   static constexpr double kErrorBound = 5e-13;
 
   /// For some hundreds of directions, are the runs better than both FlatSum and a tree that has to be made first?
@@ -45,8 +45,8 @@ class RunSum {
                 const Finish& finish) const;
 
   const AreaVectors* vectors_;
-  AlignedDoubles runs_;  // x, y, z of sums and the caps' radii, each padded with zeros
-  AlignedDoubles rest_;  // x, y, z of the vectors that do not fill a run
+  AlignedDoubles runs_, groups_;  // x, y, z of sums and the caps' radii, each padded with zeros
+  AlignedDoubles rest_;           // x, y, z of the vectors that do not fill a run
   Vector3 total_ = Vector3::Zero();
 };
 
