@@ -18,6 +18,13 @@ namespace {
 
 AreaVectors of_shape(const std::string& spec) { return area_vectors(make_shape(Spec::parse(spec))); }
 
+void require_same(const AreaVectors& a, const AreaVectors& b) {
+  REQUIRE(a.x == b.x);
+  REQUIRE(a.y == b.y);
+  REQUIRE(a.z == b.z);
+  REQUIRE(a.total == b.total);
+}
+
 }  // namespace
 
 TEST_CASE("faces of one direction become one vector, in any pose", "[area_vectors]") {
@@ -112,11 +119,7 @@ TEST_CASE("the same vectors for any instruction set", "[area_vectors]") {
   for (const std::string& name : instruction_sets()) {
     INFO(name);
     const ScopedInstructionSet target(name);
-    const AreaVectors v = area_vectors(mesh);
-    REQUIRE(v.x == reference.x);
-    REQUIRE(v.y == reference.y);
-    REQUIRE(v.z == reference.z);
-    REQUIRE(v.total == reference.total);
+    require_same(area_vectors(mesh), reference);
   }
 }
 
@@ -188,11 +191,7 @@ TEST_CASE("the same vectors for any number of threads", "[area_vectors]") {
   const AreaVectors reference = area_vectors(mesh);
   for (const std::size_t threads : {1, 2, 8}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    const AreaVectors v = area_vectors(mesh);
-    REQUIRE(v.x == reference.x);
-    REQUIRE(v.y == reference.y);
-    REQUIRE(v.z == reference.z);
-    REQUIRE(v.total == reference.total);
+    require_same(area_vectors(mesh), reference);
   }
 }
 

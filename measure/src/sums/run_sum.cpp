@@ -19,8 +19,8 @@ constexpr std::size_t kDirectionsPerTask = 24;
 // Below this many pairs of a run and a direction, some 50 microseconds of work, tasks cost more than they save.
 constexpr std::size_t kSerialRuns = std::size_t{1} << 17;
 
-/// Room for `padded` sums and radii.
-AlignedDoubles find(const VectorSpan<double>& vectors, std::size_t length, std::size_t padded) {
+/// The sums and the radii of the caps of `length` vectors each, then zeros: `padded` of each.
+AlignedDoubles caps_of(const VectorSpan<double>& vectors, std::size_t length, std::size_t padded) {
   AlignedDoubles caps(4 * padded);
   double* x = caps.data();
   find_caps(vectors, length, x, x + padded, x + 2 * padded, x + 3 * padded);
@@ -42,8 +42,8 @@ Caps view(const AlignedDoubles& caps) {
 RunSum::RunSum(const AreaVectors& vectors) : vectors_(&vectors), rest_(3 * kRunLength) {
   const std::size_t count = vectors.size() / kRunLength, whole = count * kRunLength, groups = ceil_div(count, kGroup);
   const VectorSpan<double> all = {vectors.x.data(), vectors.y.data(), vectors.z.data(), whole};
-  runs_ = find(all, kRunLength, groups * kGroup);
-  groups_ = find(all, kRunLength * kGroup, ceil_div(groups, kGroupsPerBlock) * kGroupsPerBlock);
+  runs_ = caps_of(all, kRunLength, groups * kGroup);
+  groups_ = caps_of(all, kRunLength * kGroup, ceil_div(groups, kGroupsPerBlock) * kGroupsPerBlock);
   const AlignedDoubles* components[] = {&vectors.x, &vectors.y, &vectors.z};
   for (std::size_t c = 0; c < 3; ++c) {
     double* rest = &rest_[c * kRunLength];

@@ -83,7 +83,7 @@ struct CertifyResult {
   Incumbent incumbent;
   double lower = 0;                 ///< no rotation has a smaller value
   bool closed = false;              ///< the gap that was asked for was reached, or the narrowest that rounding allows
-  std::uint64_t cells = 0;          ///< boxes bounded by mixtures of cuts
+  std::uint64_t cells = 0;          ///< boxes that sifting left, bounded by mixtures of cuts or halved again
   std::uint64_t leaves = 0;         ///< boxes that were bounded without halving them
   double ball_angle = 0;            ///< radius (radians) of the ball around the incumbent that needed no boxes
   std::size_t floor_triangles = 0;  ///< triangles of the sphere on which h was bounded
