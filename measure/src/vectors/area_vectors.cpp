@@ -1,8 +1,5 @@
 #include "rectilin/measure/area_vectors.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -51,19 +48,30 @@ int length_exponent(const MeshView& mesh) {
   return exponent;
 }
 
-/// The area vectors of the triangles (eqs. 5-7) in units of 2^exponent.
-void find_area_vectors(const MeshView& mesh, int exponent, std::vector<Vector3>& vectors) {
+/// The area vectors of triangles (eqs. 5-7). Written out, because compilers keep Eigen's vectors in memory here.
+void find_area_vectors(const MeshView& mesh, std::size_t begin, std::size_t end, Vector3* vectors) {
+  const Triangle* triangles = mesh.triangles.data();
+  const double* vertices = mesh.vertices.data()->data();
+  for (std::size_t i = begin; i < end; ++i) {
+    const double* p = vertices + 3 * std::size_t{triangles[i][0]};
+    const double* q = vertices + 3 * std::size_t{triangles[i][1]};
+    const double* r = vertices + 3 * std::size_t{triangles[i][2]};
+    const double ax = q[0] - p[0], ay = q[1] - p[1], az = q[2] - p[2];
+    const double bx = r[0] - p[0], by = r[1] - p[1], bz = r[2] - p[2];
+    vectors[i] = {0.5 * (ay * bz - az * by), 0.5 * (az * bx - ax * bz), 0.5 * (ax * by - ay * bx)};
+  }
+}
+
+/// The same in units of 2^exponent.
+void find_scaled_area_vectors(const MeshView& mesh, int exponent, std::vector<Vector3>& vectors) {
   const double scale = std::ldexp(1.0, -exponent / 2);  // half the exponent, applied twice: 2^-exponent might overflow
   const double rest = std::ldexp(1.0, -exponent - (-exponent / 2));
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vectors.size(), 4096), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      const Triangle& t = mesh.triangles[i];
-      const Vector3& origin = mesh.vertices[t[0]];
-      Vector3 a = mesh.vertices[t[1]] - origin, b = mesh.vertices[t[2]] - origin;
-      if (exponent != 0) a = a * scale * rest, b = b * scale * rest;
-      vectors[i] = 0.5 * a.cross(b);
-    }
-  });
+  for (std::size_t i = 0; i < vectors.size(); ++i) {
+    const Triangle& t = mesh.triangles[i];
+    const Vector3& origin = mesh.vertices[t[0]];
+    const Vector3 a = (mesh.vertices[t[1]] - origin) * scale * rest, b = (mesh.vertices[t[2]] - origin) * scale * rest;
+    vectors[i] = 0.5 * a.cross(b);
+  }
 }
 
 /// Scales vectors such that the longest has a length of about 1, so that products of squares neither overflow nor
@@ -194,13 +202,13 @@ AreaVectors area_vectors(std::vector<Vector3> vectors) {
 
 AreaVectors area_vectors(const MeshView& mesh) {
   std::vector<Vector3> vectors(mesh.triangles.size());
-  find_area_vectors(mesh, 0, vectors);
+  const auto make = [&](std::size_t begin, std::size_t end) { find_area_vectors(mesh, begin, end, vectors.data()); };
   AreaVectors result;
-  if (const DirectionOrder order = order_by_direction(vectors); order.safe) {
+  if (const DirectionOrder order = order_by_direction(vectors, make); order.safe) {
     result = merge(vectors, order.vectors);
   } else {
     const int exponent = length_exponent(mesh);
-    find_area_vectors(mesh, exponent, vectors);
+    find_scaled_area_vectors(mesh, exponent, vectors);
     for (const Vector3& v : vectors)
       if (!v.allFinite()) throw MeshError("a vertex is not finite");
     result = area_vectors(std::move(vectors));

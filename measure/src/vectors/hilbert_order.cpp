@@ -74,16 +74,21 @@ std::span<OrderedVector> radix_sort(std::span<OrderedVector> items, std::span<Or
 
 }  // namespace
 
-DirectionOrder order_by_direction(std::vector<Vector3>& vectors) {
+DirectionOrder order_by_direction(std::vector<Vector3>& vectors, const MakeVectors& make) {
   const CellMap& map = cell_map();
   const std::size_t size = vectors.size();
   auto memory = std::make_unique_for_overwrite<OrderedVector[]>(2 * size);
   std::span<OrderedVector> items(memory.get(), size);
   std::atomic<bool> none_above = true, some_counts = false;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size, 4096), [&](const auto& range) {
-    const SizeRange sizes = find_cells(map, vectors.front().data(), range.begin(), range.end(), items.data());
-    if (!sizes.none_above) none_above = false;
-    if (sizes.some_counts) some_counts = true;
+    constexpr std::size_t kBlock = 512;  // vectors that stay in the nearest cache until they have a cell
+    for (std::size_t begin = range.begin(); begin < range.end(); begin += kBlock) {
+      const std::size_t end = std::min(begin + kBlock, range.end());
+      if (make) make(begin, end);
+      const SizeRange sizes = find_cells(map, vectors.front().data(), begin, end, items.data());
+      if (!sizes.none_above) none_above = false;
+      if (sizes.some_counts) some_counts = true;
+    }
   });
   items = items.first(static_cast<std::size_t>(std::remove(items.begin(), items.end(), kDropped) - items.begin()));
   const std::span<OrderedVector> other(memory.get() + size, items.size());
