@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "vectors/hilbert_order.h"
@@ -88,48 +89,6 @@ int rescale(std::vector<Vector3>& vectors) {
   return exponent;
 }
 
-/// The sums of parallel vectors of one cell.
-class CellSums {
- public:
-  explicit CellSums(const std::vector<Vector3>& vectors) : vectors_(vectors) {}
-
-  /// Most cells hold one direction only. The members of others are sorted by direction first, and each is compared with
-  /// its neighbour alone, so that crowded cells do not take long.
-  const std::vector<ParallelSum>& of(std::span<const OrderedVector> members) {
-    sums_.assign(1, ParallelSum(vectors_[index(members[0])]));
-    for (std::size_t i = 1; i < members.size(); ++i) {
-      const Vector3& v = vectors_[index(members[i])];
-      if (!sums_[0].accepts(v)) return of_sorted(members);
-      sums_[0].add(v);
-    }
-    return sums_;
-  }
-
- private:
-  using Directed = std::pair<Vector3, std::uint32_t>;  // a direction and a member's index
-
-  const std::vector<ParallelSum>& of_sorted(std::span<const OrderedVector> members) {
-    sorted_.clear();
-    for (const OrderedVector v : members) sorted_.emplace_back(vectors_[index(v)].normalized(), index(v));
-    std::ranges::sort(sorted_, [](const Directed& a, const Directed& b) {
-      for (int i = 0; i < 3; ++i)
-        if (a.first[i] != b.first[i]) return a.first[i] < b.first[i];
-      return a.second < b.second;
-    });
-    sums_.clear();
-    for (const Directed& member : sorted_) {
-      const Vector3& v = vectors_[member.second];
-      if (!sums_.empty() && sums_.back().accepts(v)) sums_.back().add(v);
-      else sums_.emplace_back(v);
-    }
-    return sums_;
-  }
-
-  const std::vector<Vector3>& vectors_;
-  std::vector<ParallelSum> sums_;
-  std::vector<Directed> sorted_;
-};
-
 /// Writes merged vectors, a block at a time.
 class Writer {
  public:
@@ -165,20 +124,72 @@ class Writer {
 };
 
 /// Adds up those that are parallel among the vectors of each cell.
+class Merger {
+ public:
+  Merger(const std::vector<Vector3>& vectors, Writer& writer) : vectors_(vectors), writer_(writer) {}
+
+  /// Most cells hold one direction only. The members of others are sorted by direction first, and each is compared with
+  /// its neighbour alone, so that crowded cells do not take long.
+  void merge(std::span<const OrderedVector> cell) {
+    ParallelSum sum(vectors_[index(cell[0])]);
+    for (const OrderedVector member : cell.subspan(1)) {
+      const Vector3& v = vectors_[index(member)];
+      if (!sum.accepts(v)) return merge_sorted(cell);
+      sum.add(v);
+    }
+    writer_.write(sum.value());
+  }
+
+ private:
+  /// The first component of a member's direction, which mostly settles the order, and the member's number in its cell.
+  struct Place {
+    double x;
+    std::uint32_t member;
+  };
+
+  void merge_sorted(std::span<const OrderedVector> cell) {
+    directions_.clear(), places_.clear();
+    for (const OrderedVector v : cell) {
+      directions_.push_back(vectors_[index(v)].normalized());
+      places_.push_back({directions_.back().x(), static_cast<std::uint32_t>(places_.size())});
+    }
+    std::ranges::sort(places_, [&](const Place& a, const Place& b) {
+      if (a.x != b.x) return a.x < b.x;
+      const Vector3 &v = directions_[a.member], &w = directions_[b.member];
+      return std::tie(v.y(), v.z(), a.member) < std::tie(w.y(), w.z(), b.member);
+    });
+    ParallelSum sum(vectors_[index(cell[places_[0].member])]);
+    for (const Place& place : std::span(places_).subspan(1)) {
+      const Vector3& v = vectors_[index(cell[place.member])];
+      if (sum.accepts(v)) {
+        sum.add(v);
+      } else {
+        writer_.write(sum.value());
+        sum = ParallelSum(v);
+      }
+    }
+    writer_.write(sum.value());
+  }
+
+  const std::vector<Vector3>& vectors_;
+  Writer& writer_;
+  std::vector<Vector3> directions_;
+  std::vector<Place> places_;
+};
+
 AreaVectors merge(const std::vector<Vector3>& vectors, std::span<const OrderedVector> order) {
   AreaVectors result;
   result.faces = order.size();
   for (AlignedDoubles* component : {&result.x, &result.y, &result.z}) component->reserve(order.size());
   Writer writer(result);
-  CellSums sums(vectors);
+  Merger merger(vectors, writer);
   for (std::size_t i = 0, end = 0; i < order.size(); i = end) {
     do {
       constexpr std::size_t kAhead = 32;  // prefetching, because the order jumps through memory
       __builtin_prefetch(&vectors[index(order[std::min(end + kAhead, order.size() - 1)])]);
     } while (++end < order.size() && cell(order[end]) == cell(order[i]));
     if (end - i == 1) writer.write(vectors[index(order[i])]);
-    else
-      for (const ParallelSum& sum : sums.of(order.subspan(i, end - i))) writer.write(sum.value());
+    else merger.merge(order.subspan(i, end - i));
   }
   writer.finish();
   return result;
