@@ -141,31 +141,36 @@ class Merger {
   }
 
  private:
-  /// The first component of a member's direction, which mostly settles the order, and the member's number in its cell.
-  struct Place {
+  /// Neighbours in a cell that have one direction. The first component mostly settles the order of two runs.
+  struct Run {
     double x;
-    std::uint32_t member;
+    std::uint32_t begin, end;
   };
 
   void merge_sorted(std::span<const OrderedVector> cell) {
-    directions_.clear(), places_.clear();
-    for (const OrderedVector v : cell) {
-      directions_.push_back(vectors_[index(v)].normalized());
-      places_.push_back({directions_.back().x(), static_cast<std::uint32_t>(places_.size())});
+    directions_.clear(), runs_.clear();
+    for (std::uint32_t i = 0; i < cell.size(); ++i) {
+      directions_.push_back(vectors_[index(cell[i])].normalized());
+      if (i > 0 && directions_[i] == directions_[i - 1]) ++runs_.back().end;
+      else runs_.push_back({directions_[i].x(), i, i + 1});
     }
-    std::ranges::sort(places_, [&](const Place& a, const Place& b) {
+    std::ranges::sort(runs_, [&](const Run& a, const Run& b) {
       if (a.x != b.x) return a.x < b.x;
-      const Vector3 &v = directions_[a.member], &w = directions_[b.member];
-      return std::tie(v.y(), v.z(), a.member) < std::tie(w.y(), w.z(), b.member);
+      const Vector3 &v = directions_[a.begin], &w = directions_[b.begin];
+      return std::tie(v.y(), v.z(), a.begin) < std::tie(w.y(), w.z(), b.begin);
     });
-    ParallelSum sum(vectors_[index(cell[places_[0].member])]);
-    for (const Place& place : std::span(places_).subspan(1)) {
-      const Vector3& v = vectors_[index(cell[place.member])];
-      if (sum.accepts(v)) {
-        sum.add(v);
-      } else {
-        writer_.write(sum.value());
-        sum = ParallelSum(v);
+    ParallelSum sum(vectors_[index(cell[runs_[0].begin])]);
+    bool first = true;
+    for (const Run& run : runs_) {
+      for (const OrderedVector member : cell.subspan(run.begin, run.end - run.begin)) {
+        const Vector3& v = vectors_[index(member)];
+        if (std::exchange(first, false)) continue;
+        if (sum.accepts(v)) {
+          sum.add(v);
+        } else {
+          writer_.write(sum.value());
+          sum = ParallelSum(v);
+        }
       }
     }
     writer_.write(sum.value());
@@ -174,7 +179,7 @@ class Merger {
   const std::vector<Vector3>& vectors_;
   Writer& writer_;
   std::vector<Vector3> directions_;
-  std::vector<Place> places_;
+  std::vector<Run> runs_;
 };
 
 AreaVectors merge(const std::vector<Vector3>& vectors, std::span<const OrderedVector> order) {
