@@ -92,7 +92,7 @@ DirectionOrder order_by_direction(std::vector<Vector3>& vectors, const MakeVecto
   });
   items = items.first(static_cast<std::size_t>(std::remove(items.begin(), items.end(), kDropped) - items.begin()));
   const std::span<OrderedVector> other(memory.get() + size, items.size());
-  constexpr std::size_t kFew = 20000;  // the counts of longer digits would take longer than the sorting itself
+  constexpr std::size_t kFew = 5000;  // the counts of longer digits would take longer than the sorting itself
   items = items.size() < kFew ? radix_sort<8>(items, other) : radix_sort<11>(items, other);
   return {std::move(memory), items, none_above && some_counts};
 }
