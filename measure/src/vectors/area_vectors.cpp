@@ -89,38 +89,38 @@ int rescale(std::vector<Vector3>& vectors) {
   return exponent;
 }
 
-/// Writes merged vectors, a block at a time.
+/// Writes merged vectors.
 class Writer {
  public:
-  explicit Writer(AreaVectors& result) : result_(result) {}
+  Writer(AreaVectors& result, std::size_t most) : result_(result) {
+    for (AlignedDoubles* component : components()) component->resize(most);
+    x_ = result.x.data(), y_ = result.y.data(), z_ = result.z.data();
+  }
 
   void write(const Vector3& v) {
-    block_[0][used_] = v.x(), block_[1][used_] = v.y(), block_[2][used_] = v.z();
-    if (++used_ == kBlock) flush();
+    *x_++ = v.x(), *y_++ = v.y(), *z_++ = v.z();
   }
   void finish() {
-    flush();
-    result_.total = static_cast<double>(total_);
+    const auto size = static_cast<std::size_t>(x_ - result_.x.data());
+    for (AlignedDoubles* component : components()) component->resize(size);
+    constexpr std::size_t kBlock = 64;
+    long double total = 0;
+    for (std::size_t i = 0; i < size; i += kBlock) {
+      const auto block = static_cast<Eigen::Index>(std::min(kBlock, size - i));
+      const auto squares = [&](const AlignedDoubles& c) { return Eigen::Map<const Eigen::ArrayXd>(c.data() + i, block).square(); };
+      double lengths[kBlock];
+      Eigen::Map<Eigen::ArrayXd> length(lengths, block);
+      length = (squares(result_.x) + squares(result_.y) + squares(result_.z)).sqrt();
+      for (const double l : length) total += l;
+    }
+    result_.total = static_cast<double>(total);
   }
 
  private:
-  static constexpr Eigen::Index kBlock = 256;
-
-  void flush() {
-    double lengths[kBlock];
-    const auto component = [&](int c) { return Eigen::Map<const Eigen::ArrayXd>(block_[c], used_); };
-    Eigen::Map<Eigen::ArrayXd> length(lengths, used_);
-    length = (component(0).square() + component(1).square() + component(2).square()).sqrt();
-    for (const double l : length) total_ += l;
-    AlignedDoubles* components[] = {&result_.x, &result_.y, &result_.z};
-    for (int c = 0; c < 3; ++c) components[c]->insert(components[c]->end(), block_[c], block_[c] + used_);
-    used_ = 0;
-  }
+  std::array<AlignedDoubles*, 3> components() { return {&result_.x, &result_.y, &result_.z}; }
 
   AreaVectors& result_;
-  double block_[3][kBlock];
-  Eigen::Index used_ = 0;
-  long double total_ = 0;
+  double *x_, *y_, *z_;
 };
 
 /// Adds up those that are parallel among the vectors of each cell.
@@ -185,8 +185,7 @@ class Merger {
 AreaVectors merge(const std::vector<Vector3>& vectors, std::span<const OrderedVector> order) {
   AreaVectors result;
   result.faces = order.size();
-  for (AlignedDoubles* component : {&result.x, &result.y, &result.z}) component->reserve(order.size());
-  Writer writer(result);
+  Writer writer(result, order.size());
   Merger merger(vectors, writer);
   for (std::size_t i = 0, end = 0; i < order.size(); i = end) {
     do {

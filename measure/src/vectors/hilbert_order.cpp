@@ -64,6 +64,7 @@ std::span<OrderedVector> radix_sort(std::span<OrderedVector> items, std::span<Or
   std::array<std::array<std::uint32_t, kBuckets>, kPasses> begins{};
   for (const OrderedVector item : items)
     for (int pass = 0; pass < kPasses; ++pass) ++begins[pass][digit(item, pass)];
+#pragma GCC unroll 4  // each pass has its own fixed shift
   for (int pass = 0; pass < kPasses; ++pass) {
     std::exclusive_scan(begins[pass].begin(), begins[pass].end(), begins[pass].begin(), std::uint32_t{0});
     for (const OrderedVector item : items) other[begins[pass][digit(item, pass)]++] = item;
