@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string>
 #include <tuple>
@@ -89,55 +90,29 @@ int rescale(std::vector<Vector3>& vectors) {
   return exponent;
 }
 
-/// Writes merged vectors.
-class Writer {
- public:
-  Writer(AreaVectors& result, std::size_t most) : result_(result) {
-    for (AlignedDoubles* component : components()) component->resize(most);
-    x_ = result.x.data(), y_ = result.y.data(), z_ = result.z.data();
-  }
+/// Where the next merged vector is written: an output iterator, so that compilers keep it in registers.
+struct Output {
+  double *x, *y, *z;
 
-  void write(const Vector3& v) {
-    *x_++ = v.x(), *y_++ = v.y(), *z_++ = v.z();
-  }
-  void finish() {
-    const auto size = static_cast<std::size_t>(x_ - result_.x.data());
-    for (AlignedDoubles* component : components()) component->resize(size);
-    constexpr std::size_t kBlock = 64;
-    long double total = 0;
-    for (std::size_t i = 0; i < size; i += kBlock) {
-      const auto block = static_cast<Eigen::Index>(std::min(kBlock, size - i));
-      const auto squares = [&](const AlignedDoubles& c) { return Eigen::Map<const Eigen::ArrayXd>(c.data() + i, block).square(); };
-      double lengths[kBlock];
-      Eigen::Map<Eigen::ArrayXd> length(lengths, block);
-      length = (squares(result_.x) + squares(result_.y) + squares(result_.z)).sqrt();
-      for (const double l : length) total += l;
-    }
-    result_.total = static_cast<double>(total);
-  }
-
- private:
-  std::array<AlignedDoubles*, 3> components() { return {&result_.x, &result_.y, &result_.z}; }
-
-  AreaVectors& result_;
-  double *x_, *y_, *z_;
+  void write(const Vector3& v) { *x++ = v.x(), *y++ = v.y(), *z++ = v.z(); }
 };
 
-/// Adds up those that are parallel among the vectors of each cell.
-class Merger {
+/// Adds up those that are parallel among the vectors of a cell.
+class CellMerger {
  public:
-  Merger(const std::vector<Vector3>& vectors, Writer& writer) : vectors_(vectors), writer_(writer) {}
+  explicit CellMerger(const std::vector<Vector3>& vectors) : vectors_(vectors) {}
 
-  /// Most cells hold one direction only. The members of others are sorted by direction first, and each is compared with
-  /// its neighbour alone, so that crowded cells do not take long.
-  void merge(std::span<const OrderedVector> cell) {
+  /// Writes the sums; returns where the next ones go. Most cells hold one direction only. The members of others are
+  /// sorted by direction first, and each is compared with its neighbour alone, so that crowded cells do not take long.
+  Output merge(std::span<const OrderedVector> cell, Output out) {
     ParallelSum sum(vectors_[index(cell[0])]);
     for (const OrderedVector member : cell.subspan(1)) {
       const Vector3& v = vectors_[index(member)];
-      if (!sum.accepts(v)) return merge_sorted(cell);
+      if (!sum.accepts(v)) return merge_sorted(cell, out);
       sum.add(v);
     }
-    writer_.write(sum.value());
+    out.write(sum.value());
+    return out;
   }
 
  private:
@@ -147,7 +122,7 @@ class Merger {
     std::uint32_t begin, end;
   };
 
-  void merge_sorted(std::span<const OrderedVector> cell) {
+  Output merge_sorted(std::span<const OrderedVector> cell, Output out) {
     directions_.clear(), runs_.clear();
     for (std::uint32_t i = 0; i < cell.size(); ++i) {
       directions_.push_back(vectors_[index(cell[i])].normalized());
@@ -159,43 +134,61 @@ class Merger {
       const Vector3 &v = directions_[a.begin], &w = directions_[b.begin];
       return std::tie(v.y(), v.z(), a.begin) < std::tie(w.y(), w.z(), b.begin);
     });
-    ParallelSum sum(vectors_[index(cell[runs_[0].begin])]);
-    bool first = true;
-    for (const Run& run : runs_) {
+    std::optional<ParallelSum> sum;
+    for (const Run& run : runs_)
       for (const OrderedVector member : cell.subspan(run.begin, run.end - run.begin)) {
         const Vector3& v = vectors_[index(member)];
-        if (std::exchange(first, false)) continue;
-        if (sum.accepts(v)) {
-          sum.add(v);
+        if (sum && sum->accepts(v)) {
+          sum->add(v);
         } else {
-          writer_.write(sum.value());
-          sum = ParallelSum(v);
+          if (sum) out.write(sum->value());
+          sum.emplace(v);
         }
       }
-    }
-    writer_.write(sum.value());
+    out.write(sum->value());
+    return out;
   }
 
   const std::vector<Vector3>& vectors_;
-  Writer& writer_;
   std::vector<Vector3> directions_;
   std::vector<Run> runs_;
 };
 
+/// The sum of lengths. In extended precision where there is one, a block at a time because roots are found by twos.
+double total_length(const AreaVectors& vectors) {
+  constexpr std::size_t kBlock = 64;
+  long double total = 0;
+  for (std::size_t begin = 0; begin < vectors.size(); begin += kBlock) {
+    const auto size = static_cast<Eigen::Index>(std::min(kBlock, vectors.size() - begin));
+    const auto squares = [&](const AlignedDoubles& c) {
+      return Eigen::Map<const Eigen::ArrayXd>(c.data() + begin, size).square();
+    };
+    double lengths[kBlock];
+    Eigen::Map<Eigen::ArrayXd>(lengths, size) = (squares(vectors.x) + squares(vectors.y) + squares(vectors.z)).sqrt();
+    for (Eigen::Index i = 0; i < size; ++i) total += lengths[i];
+  }
+  return static_cast<double>(total);
+}
+
+/// Adds up those that are parallel among the vectors of each cell.
 AreaVectors merge(const std::vector<Vector3>& vectors, std::span<const OrderedVector> order) {
   AreaVectors result;
   result.faces = order.size();
-  Writer writer(result, order.size());
-  Merger merger(vectors, writer);
+  AlignedDoubles* const components[] = {&result.x, &result.y, &result.z};
+  for (AlignedDoubles* component : components) component->resize(order.size());
+  Output out{result.x.data(), result.y.data(), result.z.data()};
+  CellMerger merger(vectors);
   for (std::size_t i = 0, end = 0; i < order.size(); i = end) {
     do {
       constexpr std::size_t kAhead = 32;  // prefetching, because the order jumps through memory
       __builtin_prefetch(&vectors[index(order[std::min(end + kAhead, order.size() - 1)])]);
     } while (++end < order.size() && cell(order[end]) == cell(order[i]));
-    if (end - i == 1) writer.write(vectors[index(order[i])]);
-    else merger.merge(order.subspan(i, end - i));
+    if (end - i == 1) out.write(vectors[index(order[i])]);
+    else out = merger.merge(order.subspan(i, end - i), out);
   }
-  writer.finish();
+  const auto size = static_cast<std::size_t>(out.x - result.x.data());
+  for (AlignedDoubles* component : components) component->resize(size);
+  result.total = total_length(result);
   return result;
 }
 
