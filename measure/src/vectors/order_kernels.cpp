@@ -60,6 +60,7 @@ HWY_INLINE std::size_t some_cells(D d, const CellMap& map, double* vectors, std:
   auto none_above = hn::Eq(zero, zero);
   const std::size_t lanes = hn::Lanes(d);
   std::size_t i = begin;
+  auto indices = hn::Iota(d64, begin);  // counted up: making it anew goes through memory
   for (; i + lanes <= end; i += lanes) {
     V x, y, z;
     hn::LoadInterleaved3(d, vectors + 3 * i, x, y, z);
@@ -76,7 +77,8 @@ HWY_INLINE std::size_t some_cells(D d, const CellMap& map, double* vectors, std:
       return hn::DemoteTo(whole, hn::Min(hn::Max(hn::Add(hn::Mul(c, scale), half), zero), last));
     };
     const auto place = hn::BitCast(d32, place_of(whole, map, quantised(hn::Add(a, b)), quantised(hn::Sub(a, b))));
-    const auto item = hn::Or(hn::ShiftLeft<32>(hn::PromoteTo(d64, place)), hn::Iota(d64, i));
+    const auto item = hn::Or(hn::ShiftLeft<32>(hn::PromoteTo(d64, place)), indices);
+    indices = hn::Add(indices, hn::Set(d64, lanes));
     const V size = hn::Add(hn::Add(hn::Abs(x), hn::Abs(y)), hn::Abs(z));
     none_above = hn::And(none_above, hn::Le(size, most));
     largest = hn::Max(largest, size);
