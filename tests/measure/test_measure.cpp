@@ -1,8 +1,7 @@
 // measure(): the one way from a mesh to R, its interval and its pose.
-#include "rectilin/measure/measure.h"
-
 #include <cmath>
 
+#include "rectilin/measure/measure.h"
 #include "rectilin/measure/verify.h"
 #include "rectilin/mesh/shapes.h"
 #include "support/catch.h"
@@ -39,6 +38,27 @@ TEST_CASE("every face of a turned box is parallel to two axes of its pose", "[me
     CHECK(axis.count == 8);  // of 12 triangles the four on the other sides are not
     CHECK(axis.first.size() == 8);
   }
+}
+
+TEST_CASE("a face is parallel to an axis up to a billionth of a radian", "[measure]") {
+  for (const double scale : {1., 1e-150, 1e150})
+    for (const double width : {1., 1e-6})  // of the face: its edges are at about 45 degrees, or it is a needle
+      for (const double angle : {0., 1e-12, 5e-10, 2e-9, 1e-7, 0.1}) {
+        INFO(scale << " " << width << " " << angle);
+        Mesh mesh = shape("box?x=2&y=3");
+        const auto corner = static_cast<std::uint32_t>(mesh.vertices.size());
+        const Vector3 along(std::cos(angle), std::sin(angle), 0), up(0, 0, 1e-3);
+        for (const Vector3& v : {Vector3(0, 0, 0), up, Vector3(up + 1e-3 * width * along)}) mesh.vertices.push_back(v);
+        mesh.triangles.push_back({corner, corner + 1, corner + 2});
+        for (Vector3& v : mesh.vertices) v *= scale;
+        std::size_t parallel = 0, axes = 0;
+        for (const ParallelFaces& axis : measure(mesh).parallel_faces) {
+          parallel += axis.count;
+          axes += axis.count > 8;
+        }
+        CHECK(parallel == 24 + (angle < 1e-9 ? 2 : 1));  // the small face is parallel to z, and perhaps to x
+        CHECK(axes == (angle < 1e-9 ? 2 : 1));
+      }
 }
 
 TEST_CASE("a certificate is written if it is asked for, and the checker accepts it", "[measure]") {
