@@ -88,6 +88,28 @@ TEST_CASE("many vectors of directions that are close together are told apart", "
   }
 }
 
+TEST_CASE("vectors that are close together are told apart whether or not equal ones are neighbours", "[area_vectors]") {
+  Random random(15);
+  for (int trial = 0; trial < 30; ++trial) {
+    const Vector3 v = test::random_vector(random).normalized();
+    std::vector<Vector3> runs;
+    double length = 0;
+    for (int direction = 0; direction < 12; ++direction) {
+      const Vector3 tilted = ((v + 1e-8 * test::random_vector(random)) * 0x1p40).array().round() * 0x1p-40;
+      for (int copies = 0; copies <= 5 * direction; ++copies) {
+        runs.push_back(tilted * (copies % 3 ? 1 : -4));  // a power of two, so that the directions are equal bit for bit
+        length += runs.back().norm();
+      }
+    }
+    std::vector<Vector3> shuffled = runs;
+    std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937_64(static_cast<unsigned>(trial)));
+    const AreaVectors a = area_vectors(std::move(runs)), b = area_vectors(std::move(shuffled));
+    REQUIRE(a.size() == 12);
+    REQUIRE(a.total == Approx(length).epsilon(1e-14));
+    require_same(a, b);  // vectors of so few digits add up without rounding
+  }
+}
+
 TEST_CASE("a few vectors of directions that are close together are told apart", "[area_vectors]") {
   Random random(6);
   for (int trial = 0; trial < 200; ++trial) {
@@ -230,6 +252,23 @@ TEST_CASE("normals that are none are refused with their place", "[area_vectors]"
   CHECK_THROWS_WITH(area_vectors_of_normals(one, std::vector<double>{1, 1}), "there are 1 normals and 2 weights");
   CHECK_THROWS_WITH(area_vectors_of_normals(one, std::vector<double>{0}), "the normals have no weight");
   CHECK_THROWS_AS(area_vectors_of_normals({}), MeshError);
+}
+
+TEST_CASE("a mesh has the vectors that its triangles have one by one", "[area_vectors]") {
+  Random random(16);
+  for (const int triangles : {1, 511, 512, 513, 9000}) {
+    INFO(triangles);
+    const Mesh mesh = test::random_mesh(random, triangles);
+    std::vector<Vector3> vectors;
+    for (const Triangle& t : mesh.triangles) {
+      const Vector3& origin = mesh.vertices[t[0]];
+      vectors.push_back(0.5 * (mesh.vertices[t[1]] - origin).cross(mesh.vertices[t[2]] - origin));
+    }
+    const AreaVectors of_mesh = area_vectors(mesh), of_vectors = area_vectors(std::move(vectors));
+    REQUIRE(of_mesh.size() == of_vectors.size());
+    for (std::size_t i = 0; i < of_mesh.size(); ++i)
+      REQUIRE((of_mesh[i] - of_vectors[i]).norm() <= 1e-14 * of_vectors[i].norm());
+  }
 }
 
 TEST_CASE("a mesh is looked at where it lies", "[area_vectors]") {
