@@ -154,19 +154,19 @@ class CellMerger {
   std::vector<Run> runs_;
 };
 
-/// The sum of lengths. In extended precision where there is one, a block at a time because roots are found by twos.
+/// The sum of lengths, in extended precision where there is one. Roots are found by twos, and few at a time, so that a
+/// processor adds up some while it finds the next.
 double total_length(const AreaVectors& vectors) {
-  constexpr std::size_t kBlock = 64;
+  constexpr int kBlock = 8;
+  using Block = Eigen::Array<double, kBlock, 1>;
   long double total = 0;
-  for (std::size_t begin = 0; begin < vectors.size(); begin += kBlock) {
-    const auto size = static_cast<Eigen::Index>(std::min(kBlock, vectors.size() - begin));
-    const auto squares = [&](const AlignedDoubles& c) {
-      return Eigen::Map<const Eigen::ArrayXd>(c.data() + begin, size).square();
-    };
-    double lengths[kBlock];
-    Eigen::Map<Eigen::ArrayXd>(lengths, size) = (squares(vectors.x) + squares(vectors.y) + squares(vectors.z)).sqrt();
-    for (Eigen::Index i = 0; i < size; ++i) total += lengths[i];
+  std::size_t i = 0;
+  for (; i + kBlock <= vectors.size(); i += kBlock) {
+    const auto squares = [&](const AlignedDoubles& c) { return Eigen::Map<const Block>(&c[i]).square(); };
+    const Block lengths = (squares(vectors.x) + squares(vectors.y) + squares(vectors.z)).sqrt();
+    for (const double length : lengths) total += length;
   }
+  for (; i < vectors.size(); ++i) total += vectors[i].norm();
   return static_cast<double>(total);
 }
 
