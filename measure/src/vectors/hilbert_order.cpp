@@ -91,10 +91,12 @@ DirectionOrder order_by_direction(std::vector<Vector3>& vectors, const MakeVecto
       if (sizes.some_counts) some_counts = true;
     }
   });
-  items = items.first(static_cast<std::size_t>(std::remove(items.begin(), items.end(), kDropped) - items.begin()));
-  const std::span<OrderedVector> other(memory.get() + size, items.size());
+  const std::span<OrderedVector> other(memory.get() + size, size);
   constexpr std::size_t kFew = 5000;  // the counts of longer digits would take longer than the sorting itself
-  items = items.size() < kFew ? radix_sort<8>(items, other) : radix_sort<11>(items, other);
+  items = size < kFew ? radix_sort<8>(items, other) : radix_sort<11>(items, other);
+  auto last = items.end();  // those that are dropped are in the last cell
+  while (last != items.begin() && cell(last[-1]) == cell(kDropped)) --last;
+  items = items.first(static_cast<std::size_t>(std::remove(last, items.end(), kDropped) - items.begin()));
   return {std::move(memory), items, none_above && some_counts};
 }
 
