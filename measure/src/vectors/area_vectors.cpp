@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <span>
 #include <string>
 #include <tuple>
@@ -123,9 +122,10 @@ class CellMerger {
   };
 
   Output merge_sorted(std::span<const OrderedVector> cell, Output out) {
-    directions_.clear(), runs_.clear();
+    directions_.resize(std::max(directions_.size(), cell.size()));
+    runs_.clear();
     for (std::uint32_t i = 0; i < cell.size(); ++i) {
-      directions_.push_back(vectors_[index(cell[i])].normalized());
+      directions_[i] = vectors_[index(cell[i])].normalized();
       if (i > 0 && directions_[i] == directions_[i - 1]) ++runs_.back().end;
       else runs_.push_back({directions_[i].x(), i, i + 1});
     }
@@ -134,18 +134,18 @@ class CellMerger {
       const Vector3 &v = directions_[a.begin], &w = directions_[b.begin];
       return std::tie(v.y(), v.z(), a.begin) < std::tie(w.y(), w.z(), b.begin);
     });
-    std::optional<ParallelSum> sum;
+    ParallelSum sum(vectors_[index(cell[runs_[0].begin++])]);
     for (const Run& run : runs_)
-      for (const OrderedVector member : cell.subspan(run.begin, run.end - run.begin)) {
-        const Vector3& v = vectors_[index(member)];
-        if (sum && sum->accepts(v)) {
-          sum->add(v);
+      for (std::uint32_t i = run.begin; i < run.end; ++i) {
+        const Vector3& v = vectors_[index(cell[i])];
+        if (sum.accepts(v)) {
+          sum.add(v);
         } else {
-          if (sum) out.write(sum->value());
-          sum.emplace(v);
+          out.write(sum.value());
+          sum = ParallelSum(v);
         }
       }
-    out.write(sum->value());
+    out.write(sum.value());
     return out;
   }
 
