@@ -121,7 +121,8 @@ class CellMerger {
     std::uint32_t begin, end;
   };
 
-  Output merge_sorted(std::span<const OrderedVector> cell, Output out) {
+  /// Not inlined, to leave the registers to the common case.
+  [[gnu::noinline]] Output merge_sorted(std::span<const OrderedVector> cell, Output out) {
     directions_.resize(std::max(directions_.size(), cell.size()));
     runs_.clear();
     for (std::uint32_t i = 0; i < cell.size(); ++i) {
