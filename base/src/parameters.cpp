@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <limits>
-#include <sstream>
 
 namespace rectilin {
 namespace {
@@ -15,9 +15,8 @@ std::string join(const std::vector<std::string>& words, const char* separator) {
 }
 
 std::string number(double x) {
-  std::ostringstream text;
-  text << x;
-  return text.str();
+  char text[32];
+  return {text, std::to_chars(std::begin(text), std::end(text), x, std::chars_format::general, 6).ptr};
 }
 
 Json value_of(std::string_view text) {
