@@ -1,7 +1,6 @@
 #include "certify/descent.h"
 
 #include <Eigen/Geometry>
-#include <vector>
 
 #include "certify/corner_game.h"
 
@@ -20,7 +19,8 @@ class Model {
   Strategies minimum(const Rotation& at, double radius) const {
     CornerGame game;
     for (int k = 0; k < 3; ++k)
-      for (const Eigen::Vector3d& slope : slopes_[k]) {
+      for (int j = 0; j < size_[k]; ++j) {
+        const Eigen::Vector3d& slope = slopes_[k][j];
         const Eigen::Vector3d axis = at.axis(k), moment = radius * axis.cross(slope);
         game.add(k, slope.dot(axis) + moment[0] * kCornerSigns[0] + moment[1] * kCornerSigns[1] +
                         moment[2] * kCornerSigns[2]);
@@ -31,19 +31,20 @@ class Model {
   /// Adds a cut; if there is no room, cuts without weight are dropped first.
   void add(const Cut& cut, const PerCut<double>& weight) {
     for (int k = 0; k < 3; ++k) {
-      std::vector<Eigen::Vector3d> kept;
-      kept.reserve(kCapacity);
-      kept.push_back(cut.gradient.row(k).transpose());
+      const auto before = slopes_[k];
+      const int count = size_[k];
+      slopes_[k][0] = cut.gradient.row(k).transpose();
+      size_[k] = 1;
       for (const bool active : {true, false})
-        for (std::size_t j = 0; j < slopes_[k].size() && kept.size() < kCapacity; ++j)
-          if ((weight[k][j] > 1e-12) == active) kept.push_back(slopes_[k][j]);
-      slopes_[k] = std::move(kept);
+        for (int j = 0; j < count && size_[k] < kCapacity; ++j)
+          if ((weight[k][j] > 1e-12) == active) slopes_[k][size_[k]++] = before[j];
     }
   }
 
  private:
-  static constexpr std::size_t kCapacity = 4;
-  std::array<std::vector<Eigen::Vector3d>, 3> slopes_;
+  static constexpr int kCapacity = 4;
+  std::array<int, 3> size_ = {};
+  std::array<std::array<Eigen::Vector3d, kCapacity>, 3> slopes_;
 };
 
 }  // namespace
