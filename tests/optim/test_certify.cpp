@@ -1,6 +1,8 @@
 // Certified optima of whole meshes.
 #include <tbb/global_control.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -215,14 +217,14 @@ TEST_CASE("polishing ends on faces parallel to at least two axes", "[certify]") 
   const ProjectedArea objective(shape("soup?faces=200"));
   Evaluator evaluator(objective);
   certify(evaluator, {.polish = false});
-  const std::vector<certification::ActiveGenerator> active = certification::polish(evaluator);
-  REQUIRE(active.size() == 3);
+  certification::polish(evaluator);
   const Generators generators = objective.generators();
-  bool two_axes = false;
-  for (const certification::ActiveGenerator& face : active) {
-    const Vector3 v = generators[face.generator];
-    REQUIRE(std::abs(evaluator.incumbent().rotation.axis(face.axis).dot(v)) <= 1e-12 * v.norm());
-    two_axes = two_axes || face.axis != active[0].axis;
-  }
-  REQUIRE(two_axes);
+  std::array<int, 3> parallel = {};
+  for (std::size_t i = 0; i < generators.size(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      const Vector3 v = generators[i];
+      parallel[k] += std::abs(evaluator.incumbent().rotation.axis(k).dot(v)) <= 1e-12 * v.norm();
+    }
+  REQUIRE(parallel[0] + parallel[1] + parallel[2] == 3);
+  REQUIRE(*std::ranges::max_element(parallel) < 3);
 }
