@@ -37,7 +37,7 @@ class Bounder {
     double bound = 0;
   };
 
-  const Eigen::Vector3d& slope(const Cell& cell, int k, int j) const { return table_[cell.bundles[k].cuts[j]]; }
+  Eigen::Vector3d slope(const Cell& cell, int k, int j) const { return table_[cell.bundles[k].cuts[j]]; }
   double greatest(const Cell& cell, int k, const Eigen::Vector3d& u) const;
   Mixture mixture(const Cell& cell, const Corners& corners, double enough) const;
   bool borrow(Cell& cell, const Corners& corners, const Mixture& mixture, double enough) const;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "certify/box.h"
@@ -18,11 +19,15 @@ namespace rectilin::certification {
 /// safe.
 class CutTable {
  public:
-  static constexpr std::size_t kLanes = 8;
+  static constexpr std::size_t kLanes = 16;
+  static constexpr int kSide = 3;
+  static constexpr std::size_t kSquares = 6 * kSide * kSide;
 
-  /// Eight rows as a structure of arrays; the zeros of a block that is not full are valid, but useless.
+  /// Some rows as a structure of arrays, to choose among them: each number is the sum of two in single precision. Where
+  /// a block is not full there are zeros, and the number of the first row.
   struct Block {
-    std::array<Array8, 3> row = {Array8::Zero(), Array8::Zero(), Array8::Zero()};
+    using Component = Eigen::Array<float, kLanes, 1>;
+    std::array<Component, 3> row = {Component::Zero(), Component::Zero(), Component::Zero()}, rest = row;
     std::array<std::uint32_t, kLanes> index = {};
   };
 
@@ -34,50 +39,36 @@ class CutTable {
       const std::uint32_t at = count++ % kKept, lane = at % kLanes;
       if (at / kLanes == blocks.size()) blocks.emplace_back();
       Block& block = blocks[at / kLanes];
-      for (int i = 0; i < 3; ++i) block.row[i][lane] = row[i];
+      for (int i = 0; i < 3; ++i) {
+        block.row[i][lane] = static_cast<float>(row[i]);
+        block.rest[i][lane] = static_cast<float>(row[i] - block.row[i][lane]);
+      }
       block.index[lane] = index;
     }
   };
 
-  CutTable() : squares_(6 * kSide * kSide) {}
+  CutTable() : squares_(kSquares) {}
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(rows_.size()); }
-  const Eigen::Vector3d& operator[](std::size_t i) const { return rows_[i]; }
+  Eigen::Map<const Eigen::Vector3d> operator[](std::size_t i) const {
+    return Eigen::Map<const Eigen::Vector3d>(data(i));
+  }
+
+  /// The three components of a row, and a zero.
+  const double* data(std::size_t i) const { return rows_[i].data(); }
 
   /// Adds the three rows of a cut that was taken at a rotation.
   void add(const Rotation& rotation, const Cut& cut) {
     for (int k = 0; k < 3; ++k) {
-      squares_[square_of(rotation.axis(k))].add(size(), cut.gradient.row(k));
-      rows_.push_back(cut.gradient.row(k));
+      const Eigen::Vector3d row = cut.gradient.row(k);
+      squares_[square_of(rotation.axis(k))].add(size(), row);
+      rows_.push_back({row[0], row[1], row[2], 0});
     }
   }
 
-  /// The rows that were taken near a direction, which need not have length one.
-  const Square& square(const Eigen::Vector3d& u) const { return squares_[square_of(u)]; }
+  const Square& square(std::size_t number) const { return squares_[number]; }
 
-  struct Found {
-    double value;
-    std::uint32_t row = 0;
-  };
-
-  /// The row with the largest product with u, which need not have length one, among those in u's square, if that
-  /// product exceeds `value`. Otherwise this value.
-  Found best(const Eigen::Vector3d& u, double value) const {
-    Found found = {value};
-    for (const Block& block : squares_[square_of(u)].blocks) {
-      const Array8 values = u[0] * block.row[0] + u[1] * block.row[1] + u[2] * block.row[2];
-      if (!(values > found.value).any()) continue;
-      int lane = 0;
-      found.value = values.maxCoeff(&lane);
-      found.row = block.index[static_cast<std::size_t>(lane)];
-    }
-    return found;
-  }
-
- private:
-  static constexpr int kSide = 5;
-  static constexpr std::uint32_t kKept = 128;
-
+  /// The number of the square that holds the rows taken near a direction, which need not have length one.
   static std::size_t square_of(const Eigen::Vector3d& u) {
     int axis = 0;
     for (int i = 1; i < 3; ++i)
@@ -88,7 +79,33 @@ class CutTable {
     return static_cast<std::size_t>((face * kSide + column((axis + 1) % 3)) * kSide + column((axis + 2) % 3));
   }
 
-  std::vector<Eigen::Vector3d> rows_;
+  struct Found {
+    double value;
+    std::uint32_t row = 0;
+  };
+
+  /// The row with the largest product with u, which need not have length one, among those in u's square (in single
+  /// precision), if that product exceeds `value`. Otherwise this value.
+  Found best(const Eigen::Vector3d& u, double value) const {
+    Found found = {value};
+    float most = std::numeric_limits<float>::lowest();
+    const Eigen::Vector3f v = u.cast<float>();
+    for (const Block& block : squares_[square_of(u)].blocks) {
+      const Block::Component values = v[0] * block.row[0] + v[1] * block.row[1] + v[2] * block.row[2];
+      if (!(values > most).any()) continue;
+      int lane = 0;
+      most = values.maxCoeff(&lane);
+      const std::uint32_t row = block.index[static_cast<std::size_t>(lane)];
+      const double exact = u.dot((*this)[row]);
+      if (exact > found.value) found = {exact, row};
+    }
+    return found;
+  }
+
+ private:
+  static constexpr std::uint32_t kKept = 256;
+
+  std::vector<std::array<double, 4>> rows_;
   std::vector<Square> squares_;
 };
 

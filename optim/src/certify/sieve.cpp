@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 
 #include "certify/sieve_kernels.h"
 #include "rectilin/base/rotation.h"
@@ -10,39 +11,21 @@ namespace rectilin::certification {
 namespace {
 
 // How often boxes are divided into octants: twice, and once more where at most this many of the eight are left.
-constexpr int kLevels = 3, kFew = 4;
+constexpr int kLevels = 3, kFew = 6;
 
-/// The cuts that may be the best for an axis on the box: those taken near where its corners and its middle point to,
-/// as far as they may exceed the cell's own cuts.
-CutList rivals(const Cell& cell, int k, const Corners& corners, const Rotation& middle, const CutTable& table) {
-  const Eigen::Vector3d u = middle.axis(k);
-  const double reach = 2 * cell.box.half_edges().norm();  // turns by an angle of a are at tan(a / 2)
-  CutList list;
-  Eigen::Vector3d known = table[cell.bundles[k].cuts[0]];
-  for (int j = 0; j < cell.bundles[k].size; ++j) {
-    const Eigen::Vector3d& slope = table[cell.bundles[k].cuts[j]];
-    list.add(slope);
-    if (slope.dot(u) > known.dot(u)) known = slope;
-  }
-  std::array<const CutTable::Square*, 9> seen;
-  std::size_t count = 0;
-  const auto look = [&](const Eigen::Vector3d& direction) {
-    const CutTable::Square& square = table.square(direction);
-    if (std::find(seen.begin(), seen.begin() + count, &square) != seen.begin() + count) return;
-    seen[count++] = &square;
-    for (const CutTable::Block& block : square.blocks) add_rivals(block, known, u, reach, list);
-  };
-  look(u);
-  for (int c = 0; c < 8; ++c) look({corners.entry[3 * k][c], corners.entry[3 * k + 1][c], corners.entry[3 * k + 2][c]});
-  return list;
-}
-
-Box octant(const Box& box, std::uint32_t number) {
+/// The smallest box that holds some octants of a box, which are given as bits.
+Box hull(const Box& box, std::uint32_t octants) {
+  constexpr std::uint32_t kUpper[] = {0b10101010, 0b11001100, 0b11110000};  // those in the upper half of each axis
   const Eigen::Vector3d middle = box.centre();
   Box part = box;
-  for (int i = 0; i < 3; ++i) (number >> i & 1 ? part.lower : part.upper)[i] = middle[i];
+  for (int i = 0; i < 3; ++i) {
+    if ((octants & kUpper[i]) == 0) part.upper[i] = middle[i];
+    if ((octants & ~kUpper[i]) == 0) part.lower[i] = middle[i];
+  }
   return part;
 }
+
+Box octant(const Box& box, std::uint32_t number) { return hull(box, std::uint32_t{1} << number); }
 
 template <class F>
 void for_each_bit(std::uint32_t bits, const F& f) {
@@ -52,33 +35,50 @@ void for_each_bit(std::uint32_t bits, const F& f) {
 }  // namespace
 
 Halves sift(const Cell& cell, int axis, const CutTable& table, const Balls& balls, double enough) {
-  const Corners corners(cell.box);
   const Rotation middle = rotation_from_rodrigues(cell.box.centre());
-  const auto list = [&](int k) { return rivals(cell, k, corners, middle, table); };
-  const std::array<CutList, 3> lists = {list(0), list(1), list(2)};
+  CutLists lists;
+  find_rivals(cell, table, middle, lists);
   const double border = cell.box.centre()[axis];
   Halves halves;
-  const auto keep = [&](const Rest& part) {
-    std::optional<Rest>& half = halves[part.box.lower[axis] < border ? 0 : 1];
-    if (!half) {
-      half = part;
-      return;
-    }
-    half->box.lower = half->box.lower.cwiseMin(part.box.lower);
-    half->box.upper = half->box.upper.cwiseMax(part.box.upper);
-    half->bound = std::min(half->bound, part.bound);
-    if (part.value < half->value) half->value = part.value, half->low_point = part.low_point;
-  };
-  const auto divide = [&](const auto& self, const Box& box, int level) -> void {
-    const Octants octants = test_octants(box, lists, enough);
-    const bool further = level == 1 || (level < kLevels && std::popcount(octants.open) <= kFew);
-    for_each_bit(octants.open, [&](std::uint32_t number) {
-      const Box part = octant(box, number);
-      if (further) self(self, part, level + 1);
-      else if (!balls.hold(part)) keep({part, octants.bound[number], octants.value[number], part.centre()});
+  const auto keep = [&](const Box& box, const Octants& octants, std::uint32_t open) {
+    std::optional<Rest>& half = halves[box.lower[axis] < border ? 0 : 1];
+    const Box part = hull(box, open);
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (!half) half = {part, kInfinity, kInfinity, part.centre()};
+    half->box.lower = half->box.lower.cwiseMin(part.lower);
+    half->box.upper = half->box.upper.cwiseMax(part.upper);
+    for_each_bit(open, [&](std::uint32_t number) {
+      half->bound = std::min(half->bound, octants.bound[number]);
+      if (octants.value[number] < half->value)
+        half->value = octants.value[number], half->low_point = octant(box, number).centre();
     });
   };
-  divide(divide, cell.box, 1);
+  std::array<std::array<Box, 8 * kFew>, 2> memory;
+  memory[0][0] = cell.box;
+  std::size_t count = 1;
+  for (int level = 1; count > 0; ++level) {
+    const auto& boxes = memory[(level - 1) % 2];
+    auto& parts = memory[level % 2];
+    std::size_t further = 0;
+    for (std::size_t begin = 0; begin < count; begin += kMostBoxes) {
+      const std::span some(boxes.data() + begin, std::min(kMostBoxes, count - begin));
+      std::array<Octants, kMostBoxes> results;
+      test_octants(some, cell.box, lists, table, enough, results.data());
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        std::uint32_t open = results[i].open;
+        if (level == 1 || (level < kLevels && std::popcount(open) <= kFew)) {
+          for_each_bit(open, [&](std::uint32_t number) { parts[further++] = octant(some[i], number); });
+          continue;
+        }
+        if (!balls.empty())
+          for_each_bit(open, [&](std::uint32_t number) {
+            if (balls.hold(octant(some[i], number))) open &= ~(std::uint32_t{1} << number);
+          });
+        if (open) keep(some[i], results[i], open);
+      }
+    }
+    count = further;
+  }
   return halves;
 }
 

@@ -9,81 +9,131 @@
 #include "certify/sieve_kernels.h"
 
 #include <algorithm>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace rectilin::certification::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using Lanes8 = hn::CappedTag<double, CutTable::kLanes>;  // the eight go through registers of 2, 4 or 8 lanes
+using Lanes8 = hn::CappedTag<double, 8>;  // eight octants go through registers of 2, 4 or 8 lanes
 using V8 = hn::Vec<Lanes8>;
 
 HWY_INLINE V8 all(double value) { return hn::Set(Lanes8(), value); }
 
-void add_rivals(const CutTable::Block& block, const Eigen::Vector3d& known, const Eigen::Vector3d& middle, double reach,
-                CutList& rivals) {
-  const Lanes8 d;
-  const V8 kx = all(known[0]), ky = all(known[1]), kz = all(known[2]);
-  const V8 mx = all(middle[0]), my = all(middle[1]), mz = all(middle[2]);
-  for (std::size_t i = 0; i < CutTable::kLanes; i += hn::Lanes(d)) {
-    const V8 gx = hn::LoadU(d, block.row[0].data() + i), gy = hn::LoadU(d, block.row[1].data() + i),
-             gz = hn::LoadU(d, block.row[2].data() + i);
-    const V8 x = hn::Sub(gx, kx), y = hn::Sub(gy, ky), z = hn::Sub(gz, kz);
-    const V8 lead = hn::MulAdd(z, mz, hn::MulAdd(y, my, hn::Mul(x, mx)));
-    const V8 squared = hn::MulAdd(z, z, hn::MulAdd(y, y, hn::Mul(x, x)));
-    const auto may_win =
-        hn::Or(hn::Gt(lead, hn::Zero(d)), hn::Lt(hn::Mul(lead, lead), hn::Mul(squared, all(reach * reach))));
-    if (hn::AllFalse(d, may_win)) continue;
-    hn::CompressStore(gx, may_win, d, rivals.x.data() + rivals.size);
-    hn::CompressStore(gy, may_win, d, rivals.y.data() + rivals.size);
-    rivals.size += hn::CompressStore(gz, may_win, d, rivals.z.data() + rivals.size);
-    rivals.size = std::min(rivals.size, CutList::kMost);
-  }
-}
+constexpr std::size_t kMostOctants = 8 * kMostBoxes;
 
-/// Vectors, one in each lane.
-struct Vectors {
-  V8 x, y, z;
+/// The middles of some octants of a box; they have half the edges of the box.
+struct Middles {
+  V8 c[3], e[3];
+
+  HWY_INLINE Middles(const Box& box, std::size_t first) {
+    for (int i = 0; i < 3; ++i) {
+      e[i] = all(0.25 * (box.upper[i] - box.lower[i]));
+      c[i] = hn::MulAdd(hn::LoadU(Lanes8(), kCornerSigns[i].data() + first), e[i],
+                        all(0.5 * (box.lower[i] + box.upper[i])));
+    }
+  }
 };
 
-/// For each vector the cut that is greatest there.
-HWY_INLINE Vectors greatest(const CutList& cuts, const Vectors& at) {
-  V8 best = all(-1e300);
-  Vectors g = {best, best, best};
-  for (std::size_t j = 0; j < cuts.size; ++j) {
-    const V8 x = all(cuts.x[j]), y = all(cuts.y[j]), z = all(cuts.z[j]);
-    const V8 value = hn::MulAdd(z, at.z, hn::MulAdd(y, at.y, hn::Mul(x, at.x)));
-    const auto better = hn::Gt(value, best);
-    best = hn::Max(best, value);
-    g.x = hn::IfThenElse(better, x, g.x);
-    g.y = hn::IfThenElse(better, y, g.y);
-    g.z = hn::IfThenElse(better, z, g.z);
+/// Where the octants' middles are in the whole box, in half edges from its middle.
+using Places = std::array<std::array<float, kMostOctants>, 3>;
+
+HWY_INLINE void find_places(const Box& box, const Box& whole, std::size_t to, Places& places) {
+  const Eigen::Vector3d middle = box.centre() - whole.centre();
+  const Eigen::Vector3d e = whole.half_edges().cwiseMax(std::numeric_limits<double>::min());
+  for (int i = 0; i < 3; ++i) {
+    const auto step = static_cast<float>(0.25 * (box.upper[i] - box.lower[i]) / e[i]);
+    const auto at = static_cast<float>(middle[i] / e[i]);
+    for (std::size_t octant = 0; octant < 8; ++octant)
+      places[i][to + octant] = at + ((octant >> i) % 2 == 0 ? -step : step);
   }
-  return g;
 }
 
-Octants test_octants(const Box& box, const std::array<CutList, 3>& lists, double enough) {
-  const Lanes8 d;
-  const V8 zero = hn::Zero(d), one = all(1), two = all(2);
-  Octants octants;
-  for (std::size_t first = 0; first < 8; first += hn::Lanes(d)) {
-    // The octants have the middles c and half the edges of the box.
-    V8 c[3], e[3], beyond = zero;
-    for (int i = 0; i < 3; ++i) {
-      const double quarter = 0.25 * (box.upper[i] - box.lower[i]);
-      e[i] = all(quarter);
-      c[i] = hn::MulAdd(hn::LoadU(d, kCornerSigns[i].data() + first), e[i], all(0.5 * (box.lower[i] + box.upper[i])));
-      beyond = hn::Add(beyond, hn::Max(hn::Sub(hn::Abs(c[i]), e[i]), zero));
+/// For each octant a place in a list.
+using Winners = std::array<std::uint32_t, kMostOctants>;
+
+/// Chooses for each octant the row that is greatest at its middle.
+HWY_INLINE void choose(const CutList& list, const Places& places, std::size_t octants, Winners& winners) {
+  const hn::CappedTag<float, 16> d;
+  const hn::RebindToUnsigned<decltype(d)> bits;
+  using V = hn::Vec<decltype(d)>;
+  using Bits = hn::Vec<decltype(bits)>;
+  static_assert(CutList::kMost ==
+                128);  // a value's last seven bits hold the place in the list: they win with the value
+  const Bits place_bits = hn::Set(bits, 127), value_bits = hn::Not(place_bits), two = hn::Set(bits, 2);
+  for (std::size_t first = 0; first < octants; first += hn::Lanes(d)) {
+    const V x = hn::LoadU(d, places[0].data() + first), y = hn::LoadU(d, places[1].data() + first),
+            z = hn::LoadU(d, places[2].data() + first);
+    const auto value = [&](std::size_t j, Bits place) HWY_ATTR {
+      const V with_x = hn::MulAdd(hn::Set(d, list.along[0][j]), x, hn::Set(d, list.lead[j]));
+      const V with_y = hn::MulAdd(hn::Set(d, list.along[1][j]), y, with_x);
+      const V sum = hn::MulAdd(hn::Set(d, list.along[2][j]), z, with_y);
+      return hn::BitCast(d, hn::OrAnd(place, hn::BitCast(bits, sum), value_bits));
+    };
+    V best = hn::Zero(d), other = best;
+    Bits place = hn::Zero(bits), next = hn::Set(bits, 1);
+    for (std::size_t j = 0; j < list.size; j += 2) {  // the list has one row more
+      best = hn::Max(best, value(j, place)), other = hn::Max(other, value(j + 1, next));
+      place = hn::Add(place, two), next = hn::Add(next, two);
     }
-    // The rows of the rotations at the middles, times 1 + |c|^2: what is greatest does not depend on their length.
-    const V8 xx = hn::Mul(c[0], c[0]), yy = hn::Mul(c[1], c[1]), zz = hn::Mul(c[2], c[2]);
-    const V8 xy = hn::Mul(c[0], c[1]), xz = hn::Mul(c[0], c[2]), yz = hn::Mul(c[1], c[2]);
-    const auto twice_sum = [&](V8 a, V8 b) { return hn::Mul(two, hn::Add(a, b)); };
-    const auto twice_less = [&](V8 a, V8 b) { return hn::Mul(two, hn::Sub(a, b)); };
-    const auto diagonal = [&](V8 a, V8 b, V8 sum) { return hn::Sub(hn::Add(one, a), hn::Add(b, sum)); };
-    const Vectors g0 = greatest(lists[0], {diagonal(xx, yy, zz), twice_less(xy, c[2]), twice_sum(xz, c[1])});
-    const Vectors g1 = greatest(lists[1], {twice_sum(xy, c[2]), diagonal(yy, xx, zz), twice_less(yz, c[0])});
-    const Vectors g2 = greatest(lists[2], {twice_less(xz, c[1]), twice_sum(yz, c[0]), diagonal(zz, xx, yy)});
+    hn::StoreU(hn::And(hn::BitCast(bits, hn::Max(best, other)), place_bits), bits, winners.data() + first);
+  }
+}
+
+/// Rows of cuts, one in each lane.
+struct Vectors {
+  V8 x, y, z;
+
+  HWY_INLINE Vectors(const CutTable& table, const CutList& list, const std::uint32_t* winners) {
+    load(Lanes8(), [&](std::size_t lane) { return table.data(list.row[winners[lane]]); });
+  }
+
+ private:
+#if HWY_CAP_GE256 && !HWY_HAVE_SCALABLE
+  template <class D, class F>
+  HWY_INLINE void load(D d, const F& row) {  // rows become columns in registers: stores of rows would delay loads
+    const V8 even = rows(d, row, 0), odd = rows(d, row, 1), even2 = rows(d, row, 2), odd2 = rows(d, row, 3);
+    const V8 xz = hn::InterleaveLower(d, even, odd), xz2 = hn::InterleaveLower(d, even2, odd2);
+    const V8 y1 = hn::InterleaveUpper(d, even, odd), y2 = hn::InterleaveUpper(d, even2, odd2);
+    x = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(xz2), xz);
+    y = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(y2), y1);
+    z = hn::OddEvenBlocks(xz2, hn::SwapAdjacentBlocks(xz));
+  }
+
+  /// A row, and in a register with eight lanes the fourth after it as well.
+  template <class D, class F>
+  HWY_INLINE static V8 rows(D d, const F& row, std::size_t lane) {
+    if constexpr (hn::MaxLanes(d) == 8) {
+      const hn::Half<D> half;
+      return hn::Combine(d, hn::LoadU(half, row(lane + 4)), hn::LoadU(half, row(lane)));
+    } else {
+      return hn::LoadU(d, row(lane));
+    }
+  }
+#else
+  template <class D, class F>
+  HWY_INLINE void load(D d, const F& row) {
+    double components[3][8];
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+      for (std::size_t c = 0; c < 3; ++c) components[c][lane] = row(lane)[c];
+    x = hn::LoadU(d, components[0]), y = hn::LoadU(d, components[1]), z = hn::LoadU(d, components[2]);
+  }
+#endif
+};
+
+HWY_INLINE void test_box(const Box& box, const CutLists& lists, const CutTable& table,
+                         const std::uint32_t* const (&winners)[3], double enough, Octants& octants) {
+  const Lanes8 d;
+  const V8 zero = hn::Zero(d), two = all(2);
+  octants.open = 0;
+  for (std::size_t first = 0; first < 8; first += hn::Lanes(d)) {
+    const Middles middles(box, first);
+    const V8(&c)[3] = middles.c, (&e)[3] = middles.e;
+    V8 beyond = zero;
+    for (int i = 0; i < 3; ++i) beyond = hn::Add(beyond, hn::Max(hn::Sub(hn::Abs(c[i]), e[i]), zero));
+    const Vectors g0(table, lists[0], winners[0] + first), g1(table, lists[1], winners[1] + first),
+        g2(table, lists[2], winners[2] + first);
 
     // f(rho) = (1 + |rho|^2) (<G, R> - enough) = t + 2 w . rho + rho . M rho, and lemma 1 for it.
     const V8 trace = hn::Add(hn::Add(g0.x, g1.y), g2.z), t = hn::Sub(trace, all(enough));
@@ -103,8 +153,9 @@ Octants test_octants(const Box& box, const std::array<CutList, 3>& lists, double
       f = hn::MulAdd(hn::Add(w[i], slopes[i]), c[i], f);
       cost = hn::MulAdd(hn::Min(curvatures[i], zero), hn::Mul(e[i], e[i]), cost);
     }
-    hn::StoreU(hn::Add(all(enough), hn::Div(f, hn::Add(one, hn::Add(xx, hn::Add(yy, zz))))), d,
-               octants.value.data() + first);
+    V8 norm = all(1);
+    for (const V8& ci : c) norm = hn::MulAdd(ci, ci, norm);
+    hn::StoreU(hn::Add(hn::Div(f, norm), all(enough)), d, octants.value.data() + first);
     // The least of s . B + sum of s_i s_j C_ij over signs s; the third sign is the one that makes its factor negative.
     const V8 p0 = hn::Mul(two, hn::Mul(b0, e[0])), p1 = hn::Mul(two, hn::Mul(b1, e[1])),
              p2 = hn::Mul(two, hn::Mul(b2, e[2]));
@@ -123,7 +174,19 @@ Octants test_octants(const Box& box, const std::array<CutList, 3>& lists, double
     hn::StoreMaskBits(d, hn::Not(settled), bits);
     octants.open |= (bits[0] & ((1u << hn::Lanes(d)) - 1)) << first;
   }
-  return octants;
+}
+
+void test_all(std::span<const Box> boxes, const Box& whole, const CutLists& lists, const CutTable& table, double enough,
+              Octants* results) {
+  Places places;
+  std::array<Winners, 3> winners;
+  for (std::size_t b = 0; b < boxes.size(); ++b) find_places(boxes[b], whole, 8 * b, places);
+  if (boxes.size() % 2 == 1)  // a register may hold the octants of two boxes
+    for (auto& place : places) std::fill_n(place.data() + 8 * boxes.size(), 8, 0.f);
+  for (int k = 0; k < 3; ++k) choose(lists[k], places, 8 * boxes.size(), winners[k]);
+  for (std::size_t b = 0; b < boxes.size(); ++b)
+    test_box(boxes[b], lists, table, {winners[0].data() + 8 * b, winners[1].data() + 8 * b, winners[2].data() + 8 * b},
+             enough, results[b]);
 }
 
 }  // namespace
@@ -133,16 +196,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace rectilin::certification {
 
-HWY_EXPORT(add_rivals);
-HWY_EXPORT(test_octants);
+HWY_EXPORT(test_all);
 
-void add_rivals(const CutTable::Block& block, const Eigen::Vector3d& known, const Eigen::Vector3d& middle, double reach,
-                CutList& rivals) {
-  HWY_DYNAMIC_DISPATCH(add_rivals)(block, known, middle, reach, rivals);
-}
-
-Octants test_octants(const Box& box, const std::array<CutList, 3>& lists, double enough) {
-  return HWY_DYNAMIC_DISPATCH(test_octants)(box, lists, enough);
+void test_octants(std::span<const Box> boxes, const Box& whole, const CutLists& lists, const CutTable& table,
+                  double enough, Octants* results) {
+  HWY_DYNAMIC_DISPATCH(test_all)(boxes, whole, lists, table, enough, results);
 }
 
 }  // namespace rectilin::certification
