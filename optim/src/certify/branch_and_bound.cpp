@@ -6,7 +6,6 @@
 
 #include "certify/box_bound.h"
 #include "certify/descent.h"
-#include "certify/sieve.h"
 
 namespace rectilin::certification {
 namespace {
@@ -20,6 +19,9 @@ constexpr std::size_t kOpenPerRound = 16, kGrowth = 16;  // a round takes 1/16 o
 /// The first radius of a descent from a rotation that is better than what an earlier descent found: most of these lie
 /// near their minimum.
 constexpr double kNarrowSearch = 0.01;
+
+/// Mixtures are found where the cuts exceed what is enough by this part of what the bound lacks.
+constexpr double kLeastExcess = 0.1;
 
 constexpr std::uint64_t kCellsBeforeBalls = 1000;
 constexpr std::uint64_t kGeneratorsPerCell = 100;  // a ball looks at this many generators in at most the time of a cell
@@ -242,11 +244,16 @@ void BranchAndBound::halve(Slot& slot) const {
       part.state = Part::State::kOutside;
     } else if (balls_.hold(part.cell.box)) {
       part.state = Part::State::kInBall;
-    } else if (!sifts() || left[side]->value >= enough_) {
+    } else if (!sifts() || may_settle(*left[side])) {
       part.reason = raise(part.cell);
       if (part.cell.bound >= enough_) part.state = Part::State::kDone;
-    }  // else no mixture of the known cuts can settle it, as none exceeds this value at the low point
+    }
   }
+}
+
+/// No mixture of the known cuts exceeds the sieve's value at the low point, and few come near it everywhere on the box.
+bool BranchAndBound::may_settle(const Rest& rest) const {
+  return rest.value - enough_ >= kLeastExcess * (enough_ - rest.bound);
 }
 
 BranchAndBound::Reason BranchAndBound::raise(Cell& cell) const {

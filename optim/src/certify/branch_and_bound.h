@@ -9,6 +9,7 @@
 #include "certify/cell_heap.h"
 #include "certify/kink_ball.h"
 #include "certify/proof_tree.h"
+#include "certify/sieve.h"
 #include "certify/support_floor.h"
 #include "rectilin/optim/certify.h"
 #include "rectilin/optim/evaluator.h"
@@ -71,6 +72,7 @@ class BranchAndBound {
   bool sifts() const { return !proof_ && !floors_; }
   void expand(Slot& slot) const;
   void halve(Slot& slot) const;
+  bool may_settle(const Rest& rest) const;
   Reason raise(Cell& cell) const;
   void merge(Slot& slot);
   void settle(Cell& cell, const Reason& reason);

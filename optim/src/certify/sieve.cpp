@@ -25,7 +25,15 @@ Box hull(const Box& box, std::uint32_t octants) {
   return part;
 }
 
-Box octant(const Box& box, std::uint32_t number) { return hull(box, std::uint32_t{1} << number); }
+Box octant(const Box& box, std::uint32_t number) {
+  Box part;
+  for (int i = 0; i < 3; ++i) {
+    const double ends[] = {box.lower[i], 0.5 * (box.lower[i] + box.upper[i]), box.upper[i]};
+    const std::uint32_t side = number >> i & 1;
+    part.lower[i] = ends[side], part.upper[i] = ends[side + 1];
+  }
+  return part;
+}
 
 template <class F>
 void for_each_bit(std::uint32_t bits, const F& f) {
