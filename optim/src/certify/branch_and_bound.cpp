@@ -26,7 +26,7 @@ constexpr double kLeastExcess = 0.1;
 constexpr std::uint64_t kCellsBeforeBalls = 1000;
 constexpr std::uint64_t kGeneratorsPerCell = 100;  // a ball looks at this many generators in at most the time of a cell
 
-constexpr std::uint64_t kCellsBeforeFloors = 1000;  // by then the incumbent shows how flat the landscape is
+constexpr std::uint64_t kCellsBeforeFloors = 2000;  // by then the incumbent shows how flat the landscape is
 constexpr double kProofMargin = 4e-12;  // floors in proofs are lowered by this: a checker sums in another order
 constexpr double kProofWider = 0.01;    // and sweeps widened by this: a checker may find them a little larger
 // Floors cost as much as this many cells, fixed and for each generator.
