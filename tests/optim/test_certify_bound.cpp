@@ -136,7 +136,7 @@ TEST_CASE("the objective does not fall below a cell's bound", "[certify]") {
 TEST_CASE("what the sieve leaves out of a cell is not below what was asked for, the rest not below its bound",
           "[certify]") {
   Random random(7);
-  int left_out = 0, kept = 0, empty = 0, below_mean = 0, above_mean = 0;
+  int left_out = 0, kept = 0, empty = 0, below_mean = 0, above_mean = 0, as_greatest = 0, below_greatest = 0;
   double sharpest = 1, nearest = 1;
   const auto holds = [](const Box& box, const Eigen::Vector3d& p) {
     return ((box.lower.array() <= p.array()) && (p.array() <= box.upper.array())).all();
@@ -191,6 +191,7 @@ TEST_CASE("what the sieve leaves out of a cell is not below what was asked for, 
         allowed += 4 * farthest * (angle * angle + 1e-4 * angle);
       }
       REQUIRE(rest.value >= model - allowed);
+      ++(rest.value >= model - 1e-13 ? as_greatest : below_greatest);
       REQUIRE(rest.bound < enough);
     }
     const auto model = [&](const Eigen::Vector3d& p) {
@@ -229,13 +230,14 @@ TEST_CASE("what the sieve leaves out of a cell is not below what was asked for, 
       sharpest = std::min(sharpest, value - enough);
     }
   }
-  CAPTURE(left_out, kept, empty, sharpest, nearest, below_mean, above_mean);
+  CAPTURE(left_out, kept, empty, sharpest, nearest, below_mean, above_mean, as_greatest, below_greatest);
   REQUIRE(left_out > 10'000 * kEffort);
   REQUIRE(kept > 1000 * kEffort);
   REQUIRE(empty > 10 * kEffort);
   REQUIRE(sharpest < 1e-4);  // the attack comes near
   REQUIRE(nearest < 1e-3);
-  REQUIRE(below_mean > 5 * above_mean);  // 13.6 times; 0.7 times if the highest middle were taken for the lowest
+  REQUIRE(as_greatest > 8 * below_greatest);  // 12.7 times
+  REQUIRE(below_mean > 5 * above_mean);  // 14.6 times; 0.7 times if the highest middle were taken for the lowest
 }
 
 TEST_CASE("no rotation in a kink ball is below its value", "[certify]") {

@@ -33,7 +33,9 @@ class CutTable {
 
   struct Square {
     std::vector<Block> blocks;
-    std::uint32_t count = 0;
+    std::uint32_t count = 0;  ///< of rows that were added, the earliest of which may have been replaced
+
+    std::size_t size() const { return std::min(count, kKept); }
 
     void add(std::uint32_t index, const Eigen::Vector3d& row) {
       const std::uint32_t at = count++ % kKept, lane = at % kLanes;

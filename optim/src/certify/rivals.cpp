@@ -71,8 +71,11 @@ HWY_INLINE void add_rows(const CutTable::Square& square, const Eigen::Vector3d& 
   using V = hn::Vec<decltype(d)>;
   const auto all = [d](double value) HWY_ATTR { return hn::Set(d, static_cast<float>(value)); };
   const Eigen::Vector3d rest = known - known.cast<float>().cast<double>();
+  std::size_t left = square.size();
   for (const CutTable::Block& block : square.blocks)
-    for (std::size_t i = 0; i < CutTable::kLanes; i += hn::Lanes(d)) {
+    for (std::size_t i = 0; i < CutTable::kLanes && left > 0; i += hn::Lanes(d)) {
+      const std::size_t count = std::min(left, hn::Lanes(d));
+      left -= count;
       const auto more = [&](int c) HWY_ATTR {
         return hn::Add(hn::Sub(hn::LoadU(d, block.row[c].data() + i), all(known[c])),
                        hn::Sub(hn::LoadU(d, block.rest[c].data() + i), all(rest[c])));
@@ -82,7 +85,8 @@ HWY_INLINE void add_rows(const CutTable::Square& square, const Eigen::Vector3d& 
         return hn::MulAdd(z, all(u[2]), hn::MulAdd(y, all(u[1]), hn::Mul(x, all(u[0]))));
       };
       const V lead = along(axis.at), a = along(axis.moves[0]), b = along(axis.moves[1]), c = along(axis.moves[2]);
-      const auto wins = hn::Gt(hn::Add(hn::Add(lead, hn::Abs(a)), hn::Add(hn::Abs(b), hn::Abs(c))), hn::Zero(d));
+      const V most = hn::Add(hn::Add(lead, hn::Abs(a)), hn::Add(hn::Abs(b), hn::Abs(c)));
+      const auto wins = hn::And(hn::Gt(most, hn::Zero(d)), hn::FirstN(d, count));
       if (hn::AllFalse(d, wins)) continue;
       const auto add = [&](V v, CutList::PerRow<float>& to)
                            HWY_ATTR { hn::StoreU(hn::Compress(v, wins), d, to.data() + list.size); };

@@ -25,6 +25,7 @@ Box hull(const Box& box, std::uint32_t octants) {
   return part;
 }
 
+/// The hull of one octant, without branches, as there are many.
 Box octant(const Box& box, std::uint32_t number) {
   Box part;
   for (int i = 0; i < 3; ++i) {

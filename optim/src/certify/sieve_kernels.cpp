@@ -59,8 +59,8 @@ HWY_INLINE void choose(const CutList& list, const Places& places, std::size_t oc
   const hn::RebindToUnsigned<decltype(d)> bits;
   using V = hn::Vec<decltype(d)>;
   using Bits = hn::Vec<decltype(bits)>;
-  static_assert(CutList::kMost ==
-                128);  // a value's last seven bits hold the place in the list: they win with the value
+  // A value's last seven bits hold the place in the list, which so wins with the value.
+  static_assert(CutList::kMost == 128);
   const Bits place_bits = hn::Set(bits, 127), value_bits = hn::Not(place_bits), two = hn::Set(bits, 2);
   for (std::size_t first = 0; first < octants; first += hn::Lanes(d)) {
     const V x = hn::LoadU(d, places[0].data() + first), y = hn::LoadU(d, places[1].data() + first),
