@@ -237,7 +237,7 @@ TEST_CASE("what the sieve leaves out of a cell is not below what was asked for, 
   REQUIRE(sharpest < 1e-4);  // the attack comes near
   REQUIRE(nearest < 1e-3);
   REQUIRE(as_greatest > 8 * below_greatest);  // 12.7 times
-  REQUIRE(below_mean > 5 * above_mean);  // 14.6 times; 0.7 times if the highest middle were taken for the lowest
+  REQUIRE(below_mean > 5 * above_mean);       // 14.6 times; 0.7 times if the highest middle were taken for the lowest
 }
 
 TEST_CASE("no rotation in a kink ball is below its value", "[certify]") {
