@@ -36,18 +36,6 @@ Directions ellipsoid(std::size_t squares) {
   return result;
 }
 
-std::vector<double> values(const DirectionTree& tree, const Directions& u, double resolution = 0) {
-  std::vector<double> h(u.size());
-  tree.values(u, h, resolution);
-  return h;
-}
-
-Directions cuts(const DirectionTree& tree, const Directions& u, double resolution = 0) {
-  Directions g(u.size());
-  tree.cuts(u, g, resolution);
-  return g;
-}
-
 /// Random directions, extreme ones, and some across which the given vectors lie.
 Directions tree_test_directions(const Directions& vectors) {
   Directions u = gaussian(10, 99);

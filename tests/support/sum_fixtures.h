@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rectilin/measure/area_vectors.h"
+#include "rectilin/measure/direction_tree.h"
 
 namespace rectilin {
 
@@ -42,6 +43,18 @@ inline double exact_value(const Directions& vectors, const Vector3& u) {
                     static_cast<long double>(u.z()) * v.z());
   }
   return static_cast<double>(sum);
+}
+
+inline std::vector<double> values(const DirectionTree& tree, const Directions& u, double resolution = 0) {
+  std::vector<double> h(u.size());
+  tree.values(u, h, resolution);
+  return h;
+}
+
+inline Directions cuts(const DirectionTree& tree, const Directions& u, double resolution = 0) {
+  Directions g(u.size());
+  tree.cuts(u, g, resolution);
+  return g;
 }
 
 template <class Function>

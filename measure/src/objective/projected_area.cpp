@@ -75,6 +75,8 @@ void ProjectedArea::cuts(std::span<const Rotation> rotations, std::span<Cut> cut
 CutBounds ProjectedArea::cut_bounds() const {
   // Two directions that were merged may be kParallel apart; dividing by S costs a few roundoffs.
   double sums = use_tree_ ? DirectionTree::kErrorBound : FlatSum::relative_error_bound(flat_.precision());
+  constexpr DirectionTree::TwigRule kTwigs;
+  if (use_tree_ && vectors_.size() >= kTwigs.fewest) sums += kTwigs.error;  // values are bounded by the same allowance
   if (use_runs_) sums = std::max(sums, RunSum::kErrorBound);
   return {.error = sums + 4 * kParallel, .norm = 1 + 1e-12, .floor = 1 - 0x1p-50};  // floor: eq. (12)
 }

@@ -12,6 +12,7 @@
 #include "tree/direction_tree_kernels.h"
 #include "tree/leaf_kernels.h"
 #include "tree/storage.h"
+#include "tree/twig.h"
 #include "vectors/kd_order.h"
 
 namespace rectilin {
@@ -92,7 +93,8 @@ std::vector<std::size_t> level_sizes(std::size_t leaves) {
 
 }  // namespace
 
-DirectionTree::DirectionTree(const AreaVectors& vectors) : flat_(vectors), kernels_(&normal_kernels()) {
+DirectionTree::DirectionTree(const AreaVectors& vectors, const TwigRule& twigs)
+    : flat_(vectors), kernels_(&normal_kernels()) {
   const std::size_t leaf_count = std::max<std::size_t>(1, ceil_div(size(), kLeaf));
   const std::vector<std::size_t> families = level_sizes(leaf_count);
   bytes_ = leaf_count * sizeof(DirectionLeaf);
@@ -115,7 +117,26 @@ DirectionTree::DirectionTree(const AreaVectors& vectors) : flat_(vectors), kerne
     sums = parents(sums);
   }
   total_ = sums.front();
+  if (size() >= twigs.fewest) add_twigs(*nodes, leaf_count, families[0], vectors.total, twigs.error);
   nodes_ = std::move(nodes);
+}
+
+/// Keeps twigs if most queries of random directions can use them: where circles meet them in the mean their error has
+/// to leave a margin, and few nodes may be too wide.
+void DirectionTree::add_twigs(DirectionTreeNodes& nodes, std::size_t leaf_count, std::size_t count, double total,
+                              double error) {
+  constexpr double kMargin = 1.25;
+  constexpr std::size_t kWideShare = 8;
+  constexpr double kShortest = 1e-200;
+  if (nodes.depth < 2 || !(total > kShortest)) return;
+  auto storage = allocate_nodes(count * sizeof(Twig));
+  auto* twigs = reinterpret_cast<Twig*>(storage.get());
+  const TwigStatistics expected = fill_twigs(nodes, leaf_count, twigs, count);
+  nodes.widths = error * total / kTwigError;
+  if (kMargin * expected.widths > nodes.widths || kWideShare * expected.wide > count) return;
+  nodes.twigs = twigs;
+  twig_storage_ = std::move(storage);
+  bytes_ += count * sizeof(Twig);
 }
 
 }  // namespace rectilin

@@ -10,118 +10,15 @@
 #include "tree/direction_tree_kernels.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "sums/cap-inl.h"
 #include "sums/lanes-inl.h"
+#include "tree/nodes-inl.h"
+#include "tree/twig-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rectilin::HWY_NAMESPACE {
 namespace {
-
-using D = hn::CappedTag<double, kFan>;
-using V = hn::Vec<D>;
-using D64 = hn::RebindToUnsigned<D>;
-using D32 = hn::CappedTag<std::uint32_t, kFan>;
-
-// Number of nodes whose terms are summed in registers before they go to the compensated sums. It bounds the number of
-// terms in a lane, and so the rounding error.
-constexpr std::size_t kChunkNodes = 256;
-
-// On large trees most visits miss the caches, so memory is requested kFar nodes ahead into the second-level cache, and
-// kNear nodes ahead into the first. A core can wait for far fewer lines of the first than of the second: with a single
-// request into the first a tree of ten million vectors takes 1.5 times as long (Zen 4).
-constexpr std::size_t kFar = 40, kNear = 8;
-
-struct Vectors {
-  V x, y, z;
-};
-
-/// A component of the vectors `lane` and following of a leaf, in the leaf's unit.
-HWY_INLINE V load_component(const DirectionLeaf& leaf, std::size_t c, std::size_t lane) {
-  const D d;
-  const hn::Rebind<std::int32_t, D> d32;
-  const hn::Rebind<std::uint8_t, D> d8;
-  const auto high = hn::PromoteTo(d, hn::Load(d32, leaf.high[c] + lane));
-  const auto low = hn::PromoteTo(d, hn::PromoteTo(d32, hn::Load(d8, leaf.low[c] + lane)));
-  return hn::MulAdd(high, hn::Set(d, 256.0), low);
-}
-
-HWY_INLINE Vectors load_leaf(const DirectionLeaf& leaf, std::size_t lane, hn::Vec<D64> unit) {
-  const D d;
-  const hn::Rebind<std::uint32_t, D> d32;
-  const hn::Rebind<std::uint8_t, D> d8;
-  const auto exponent = hn::PromoteTo(D64(), hn::PromoteTo(d32, hn::Load(d8, leaf.exponent + lane)));
-  const auto scale = hn::BitCast(d, hn::ShiftLeft<52>(hn::Sub(unit, exponent)));
-  return {hn::Mul(load_component(leaf, 0, lane), scale), hn::Mul(load_component(leaf, 1, lane), scale),
-          hn::Mul(load_component(leaf, 2, lane), scale)};
-}
-
-struct Nodes {
-  Vectors sum;
-  V radius;
-};
-
-HWY_INLINE Nodes load_family(const DirectionFamily& family, std::size_t lane) {
-  const D d;
-  const D64 d64;
-  const auto x = hn::Load(d64, family.sums[0] + lane);
-  const auto y = hn::Load(d64, family.sums[1] + lane);
-  const auto z = hn::Load(d64, family.sums[2] + lane);
-  // The last byte of each component holds a byte of the radius; here one of its upper ones, below its sign.
-  const auto radius = hn::Or(hn::ShiftRight<1>(hn::ShiftLeft<56>(x)),
-                             hn::Or(hn::ShiftRight<9>(hn::ShiftLeft<56>(y)), hn::ShiftRight<17>(hn::ShiftLeft<56>(z))));
-  return {{hn::BitCast(d, x), hn::BitCast(d, y), hn::BitCast(d, z)}, hn::BitCast(d, radius)};
-}
-
-enum Cache { kSecond = 2, kFirst = 3 };  // as in the processor's hint
-
-template <Cache kCache, class Block>
-HWY_INLINE void request(const Block& block) {
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(&block);
-  for (std::size_t i = 0; i < sizeof(Block); i += 64) __builtin_prefetch(bytes + i, 0, kCache);
-}
-
-/// Requests the first blocks of a list, before which no loop looks ahead.
-template <class Block>
-HWY_INLINE void request_first(const Block* blocks, const std::uint32_t* list, std::size_t size) {
-  for (std::size_t i = 0; i < std::min(kFar, size); ++i) request<kSecond>(blocks[list[i]]);
-  for (std::size_t i = 0; i < std::min(kNear, size); ++i) request<kFirst>(blocks[list[i]]);
-}
-
-/// Requests what the loop over a list that is at position i will need.
-template <class Block>
-HWY_INLINE void request_ahead(const Block* blocks, const std::uint32_t* list, std::size_t i, std::size_t size) {
-  request<kSecond>(blocks[list[std::min(i + kFar, size - 1)]]);
-  request<kFirst>(blocks[list[std::min(i + kNear, size - 1)]]);
-}
-
-/// Lists of nodes. The lane numbers are kept in memory: Highway's Iota would write them there one by one at each call,
-/// and reading them back at once would stall.
-class NodeList {
- public:
-  HWY_INLINE explicit NodeList(std::uint32_t* nodes) : nodes_(nodes) {
-    for (std::uint32_t lane = 0; lane < kFan; ++lane) lanes_[lane] = lane;
-  }
-
-  /// Appends first + j for every set bit j of `bits`. Writes up to kFan entries past the end.
-  HWY_INLINE void append(std::uint32_t first, unsigned bits) {
-    const D32 d;
-    for (std::size_t lane = 0; lane < kFan; lane += hn::Lanes(d)) {
-      const auto part = static_cast<std::uint8_t>((bits >> lane) & ((1u << hn::Lanes(d)) - 1));
-      const auto ids = hn::Add(hn::Set(d, first), hn::Load(d, lanes_ + lane));
-      hn::StoreU(hn::CompressBits(ids, &part), d, nodes_ + size_);
-      size_ += static_cast<std::size_t>(std::popcount(part));
-    }
-  }
-
-  std::size_t size() const { return size_; }
-
- private:
-  std::uint32_t* nodes_;
-  std::size_t size_ = 0;
-  HWY_ALIGN std::uint32_t lanes_[kFan];
-};
 
 template <class Sum, bool kCutOff>
 class Walk {
@@ -138,6 +35,9 @@ class Walk {
     std::size_t size = 1;
     int current = 0;
     for (int level = nodes_.depth - 1; level >= 0; --level, current = 1 - current) {
+      if constexpr (kTwigs) {
+        if (level == 0 && nodes_.twigs != nullptr && !add_twigs(lists[current], size, lists[1 - current])) return false;
+      }
       size = test(level, lists[current], size, lists[1 - current]);
       if (size > nodes_.limits[level]) return false;
     }
@@ -146,6 +46,23 @@ class Walk {
   }
 
  private:
+  static constexpr bool kTwigs = Sum::kOutputs == 1 && !kCutOff;
+
+  /// Sums what is below nodes of level 1 by their twigs and leaves in the list those that have none; or does nothing if
+  /// twigs would not be accurate enough. Returns false if the circle meets too many leaves.
+  HWY_INLINE bool add_twigs(std::uint32_t* list, std::size_t& size, std::uint32_t* spare) {
+    TwigSum twigs(nodes_, query_);
+    NodeList wide(spare);
+    TwoSum sum = sums_[0];
+    twigs.add(list, size, sum, wide);
+    if (twigs.met() > nodes_.limits[0]) return false;
+    if (twigs.widths() > nodes_.widths) return true;
+    sums_[0] = sum;
+    std::copy_n(spare, wide.size(), list);
+    size = wide.size();
+    return true;
+  }
+
   /// Sums the nodes that the circle misses and lists those that it meets; stops when these become too many.
   HWY_INLINE std::size_t test(int level, const std::uint32_t* families, std::size_t size, std::uint32_t* children) {
     NodeList found(children);

@@ -16,6 +16,10 @@ inline constexpr std::size_t kFan = 8;
 /// Number of vectors in a leaf. Smaller leaves mean fewer vectors that are summed one by one, but more nodes.
 inline constexpr std::size_t kLeaf = 8;
 
+/// Number of nodes whose terms are summed in registers before they go to the compensated sums. It bounds the number of
+/// terms in a lane, and so the rounding error.
+inline constexpr std::size_t kChunkNodes = 256;
+
 /// A family: kFan siblings in three cache lines, with their sums V, component by component, and caps around them. The
 /// cost of a query of a large tree is the number of cache lines that it reads, so the caps take no room of their own:
 /// the last byte of each component of V holds a byte of the cap's |V| sin(radius), a double without its sign and its
@@ -41,6 +45,8 @@ inline constexpr int kMaxLevels = 12;  // enough for 2^36 vectors
 /// Largest number of nodes of one level that a query opens.
 inline constexpr std::size_t kMostOpened = 16384;
 
+struct Twig;
+
 /// Node j of family f on level l is the parent of family 8 f + j on level l - 1, or of leaf 8 f + j if l = 0. The
 /// highest level is a single family.
 struct DirectionTreeNodes {
@@ -49,7 +55,9 @@ struct DirectionTreeNodes {
   const DirectionFamily* levels[kMaxLevels] = {};
   /// For each level how many nodes a query may open before it gives up; at most kMostOpened.
   std::size_t limits[kMaxLevels] = {};
-  int depth = 0;  ///< number of levels
+  int depth = 0;                ///< number of levels
+  const Twig* twigs = nullptr;  ///< of the nodes of level 1; null if there are none
+  double widths = 0;            ///< the largest sum of the radii of leaves that a query may read from twigs
 };
 
 struct DirectionQuery {

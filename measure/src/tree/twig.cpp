@@ -1,0 +1,135 @@
+// Makes the twigs of a direction tree from its families and leaves.
+#include "tree/twig.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "rectilin/base/rotation.h"
+
+namespace rectilin {
+namespace {
+
+/// A node with its sum V and |V| sin(radius), as the families hold them.
+struct Node {
+  Vector3 sum;
+  double radius;
+};
+
+Node node(const DirectionFamily& family, std::size_t j) {
+  Node result;
+  std::uint64_t radius = 0;
+  for (int c = 0; c < 3; ++c) {
+    result.sum[c] = std::bit_cast<double>(family.sums[c][j]);
+    radius = radius << 8 | (family.sums[c][j] & 255);
+  }
+  result.radius = std::bit_cast<double>(radius << 39);
+  return result;
+}
+
+Vector3 vector(const DirectionLeaf& leaf, std::size_t i, std::uint64_t unit) {
+  const auto component = [&](std::size_t c) { return 256.0 * leaf.high[c][i] + leaf.low[c][i]; };
+  return std::bit_cast<double>((unit - leaf.exponent[i]) << 52) * Vector3(component(0), component(1), component(2));
+}
+
+// Nodes that are shorter count for nothing in meshes with twigs, and their steps could vanish.
+constexpr double kShortest = 1e-250;
+
+/// The axis along which a sum is longest, and the others in their order.
+struct Axes {
+  int longest, first, second;
+
+  explicit Axes(const Vector3& sum) {
+    const double x = std::abs(sum.x()), y = std::abs(sum.y()), z = std::abs(sum.z());
+    longest = x >= std::max(y, z) ? 0 : z > std::max(x, y) ? 2 : 1;
+    first = longest == 0 ? 1 : 0;
+    second = longest == 2 ? 1 : 2;
+  }
+};
+
+/// w = share (V + p e + q f)
+struct Place {
+  double share = 0, p = 0, q = 0;
+};
+
+Place place(const Vector3& w, const Vector3& sum, const Axes& axes) {
+  if (!(w[axes.longest] * sum[axes.longest] > 0)) return {};
+  const double inverse = sum[axes.longest] / w[axes.longest], reciprocal = 1 / sum[axes.longest];
+  return {w[axes.longest] * reciprocal, w[axes.first] * inverse - sum[axes.first],
+          w[axes.second] * inverse - sum[axes.second]};
+}
+
+/// The integer next to `x`, at least zero and at most `most`. (Library functions that round are calls without SSE4.)
+std::int64_t whole(double x, double most) { return static_cast<std::int64_t>(std::clamp(x + 0.5, 0.0, most)); }
+
+void fill_vectors(const DirectionLeaf& leaf, std::uint64_t unit, const Node& node, const Axes& axes,
+                  std::uint64_t* vectors) {
+  const double scale = 1 / (kVectorStep * node.radius);
+  for (std::size_t i = 0; i < kLeaf; ++i) {
+    const Place w = place(vector(leaf, i, unit), node.sum, axes);
+    const auto share = whole(w.share / kVectorShare, 1 / kVectorShare - 1);
+    const auto p = whole(kMiddle + w.p * scale, 2 * kMiddle - 1), q = whole(kMiddle + w.q * scale, 2 * kMiddle - 1);
+    vectors[i] = static_cast<std::uint64_t>(share << 2 * kStepBits | q << kStepBits | p);
+  }
+}
+
+/// Writes a leaf's sum and cap and returns them as they can be read again.
+Node fill_sum(const Node& leaf, const Node& parent, const Axes& axes, Twig& twig, std::size_t j) {
+  constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
+  const double step = kNodeStep * parent.radius;
+  const Place sum = place(leaf.sum, parent.sum, axes);
+  const auto steps = [step](double x) {
+    return static_cast<std::int32_t>(whole(kMost + x / step, 2.0 * kMost) - kMost);
+  };
+  twig.shares[j] = static_cast<std::int32_t>(whole(sum.share / kNodeShare, kMost));
+  twig.first[j] = steps(sum.p);
+  twig.second[j] = steps(sum.q);
+  // Rounding turns the sum by up to a step, and the cap has to hold the vectors still.
+  const double ratio = leaf.radius / parent.radius + 8 * kNodeStep;
+  twig.radii[j] = std::nextafter(static_cast<float>(ratio), std::numeric_limits<float>::infinity());
+  Node result{parent.sum, parent.radius * twig.radii[j]};
+  result.sum[axes.first] += step * twig.first[j];
+  result.sum[axes.second] += step * twig.second[j];
+  result.sum *= kNodeShare * twig.shares[j];
+  return result;
+}
+
+TwigStatistics fill_twig(const DirectionTreeNodes& nodes, std::size_t index, std::size_t leaf_count, Twig& twig) {
+  twig = {};
+  const Node parent = node(nodes.levels[1][index / kFan], index % kFan);
+  const Axes axes(parent.sum);
+  TwigStatistics result;
+  if (kNarrow * parent.radius > std::abs(parent.sum[axes.longest])) return {.wide = 1};
+  if (parent.radius < kShortest) return {};
+  for (std::size_t j = 0; j < kFan && kFan * index + j < leaf_count; ++j) {
+    const Node leaf = fill_sum(node(nodes.levels[0][index], j), parent, axes, twig, j);
+    if (twig.shares[j] == 0) continue;
+    fill_vectors(nodes.leaves[kFan * index + j], nodes.unit, leaf, axes, twig.vectors[j]);
+    result.widths += leaf.radius * std::min(1.0, leaf.radius / leaf.sum.norm());  // times the chance to be met
+  }
+  return result;
+}
+
+}  // namespace
+
+TwigStatistics fill_twigs(const DirectionTreeNodes& nodes, std::size_t leaf_count, Twig* twigs, std::size_t count) {
+  constexpr std::size_t kGrain = 256;
+  return tbb::parallel_deterministic_reduce(
+      tbb::blocked_range<std::size_t>(0, count, kGrain), TwigStatistics{},
+      [&](const tbb::blocked_range<std::size_t>& range, TwigStatistics sum) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+          const TwigStatistics one = fill_twig(nodes, i, leaf_count, twigs[i]);
+          sum = {sum.widths + one.widths, sum.wide + one.wide};
+        }
+        return sum;
+      },
+      [](TwigStatistics a, TwigStatistics b) {
+        return TwigStatistics{a.widths + b.widths, a.wide + b.wide};
+      });
+}
+
+}  // namespace rectilin

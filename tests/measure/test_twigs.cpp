@@ -1,0 +1,144 @@
+// Trees with twigs against long double sums, and against the same trees without them.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "rectilin/measure/direction_tree.h"
+#include "support/catch.h"
+#include "support/random_meshes.h"
+#include "support/sum_fixtures.h"
+
+using namespace rectilin;
+
+namespace {
+
+constexpr DirectionTree::TwigRule kNone = {.fewest = 1 << 30};
+
+/// In their order on the sphere, without which nodes would be wide.
+AreaVectors sorted(Directions vectors) { return area_vectors(std::move(vectors)); }
+
+double exact(const AreaVectors& vectors, const Vector3& u) {
+  Directions all;
+  for (std::size_t i = 0; i < vectors.size(); ++i) all.emplace_back(vectors.x[i], vectors.y[i], vectors.z[i]);
+  return exact_value(all, u);
+}
+
+/// The error, up to a tenth, from which on a tree of these vectors gets twigs.
+double least_error(const AreaVectors& vectors) {
+  const std::size_t without = DirectionTree(vectors, kNone).bytes();
+  double error = 1e-12;
+  while (DirectionTree(vectors, {.fewest = 0, .error = error}).bytes() == without) {
+    error *= 1.1;
+    REQUIRE(error < 1e-3);
+  }
+  return error;
+}
+
+/// Directions close to each other in clusters, of lengths from 1 to 1e-6.
+Directions clustered(std::size_t clusters, std::size_t members) {
+  Random random(3);
+  Directions result;
+  for (std::size_t i = 0; i < clusters; ++i) {
+    const Vector3 axis = test::random_vector(random).normalized();
+    for (std::size_t j = 0; j < members; ++j)
+      result.push_back((axis + 0.02 * test::random_vector(random)) * std::pow(10.0, -6 * random.uniform()));
+  }
+  return result;
+}
+
+/// Directions of which one in sixteen is close to the plane across `axis`, and long.
+Directions banded(const Vector3& axis, std::size_t size) {
+  Directions result = gaussian(size, 5);
+  for (std::size_t i = 0; i < size; i += 16) result[i] = 10 * (result[i] - 0.97 * result[i].dot(axis) * axis);
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("values with twigs err by no more than is promised, and far less in the mean", "[twigs]") {
+  for (const Directions& vectors : {gaussian(60'000, 1), gaussian(100'001, 2), clustered(20, 4000)}) {
+    const AreaVectors area = sorted(vectors);
+    const double error = least_error(area);
+    CAPTURE(area.size(), error);
+    Directions u = gaussian(12, 3);
+    u.insert(u.end(), {Vector3::UnitX(), -Vector3::UnitY(), Vector3::UnitZ(), {1, 1, 0}, {0.6, -0.8, 1e-17}});
+    for (const std::string& name : instruction_sets()) {
+      CAPTURE(name);
+      ScopedInstructionSet target(name);
+      const DirectionTree tree(area, {.fewest = 0, .error = error});
+      const auto h = values(tree, u), without = values(DirectionTree(area, kNone), u);
+      double sum = 0;
+      std::size_t changed = 0;
+      for (std::size_t k = 0; k < u.size(); ++k) {
+        const double miss = std::abs(h[k] - exact(area, u[k])) / (area.total * u[k].norm());
+        CHECK(miss <= DirectionTree::kErrorBound + error);
+        sum += miss;
+        changed += h[k] != without[k];
+      }
+      CHECK(sum / static_cast<double>(u.size()) < error / 32);
+      CHECK(changed > u.size() / 2);  // or no twigs were read
+    }
+  }
+}
+
+TEST_CASE("twigs bear degenerate vectors", "[twigs]") {
+  const Vector3 v = Vector3(1, 2, 3).normalized();
+  Directions opposite, tilted, sparse(5000, Vector3::Zero()), spread = gaussian(5000, 13);
+  for (int i = 0; i < 5000; ++i) {
+    opposite.push_back(i % 2 == 0 ? v : -v);
+    tilted.push_back(v.unitOrthogonal() + (i - 2500) * 1e-18 * v);
+    spread[static_cast<std::size_t>(i)] = std::pow(10.0, -0.06 * i) * (v + 1e-3 * spread[static_cast<std::size_t>(i)]);
+  }
+  sparse[2500] = v;
+  for (const Directions& vectors : {opposite, tilted, sparse, spread, Directions(5000, 1e-170 * v),
+                                    Directions(5000, 1e-220 * v), Directions(5000, Vector3::Zero())}) {
+    const AreaVectors area = make_vectors(vectors);
+    const DirectionTree tree(area, {.fewest = 0, .error = 1});
+    Directions u = gaussian(10, 14);
+    u.insert(u.end(), {v, v.unitOrthogonal(), {0, 0, 1e-200}, {3e100, 4e100, 0}});
+    const auto h = values(tree, u);
+    // Nodes with twigs have a radius of at most 1 / kNarrow: the sum of what their leaves' errors grow with is small.
+    for (std::size_t k = 0; k < u.size(); ++k)
+      CHECK(std::abs(h[k] - exact_value(vectors, u[k])) <= 2e-6 * area.total * u[k].stableNorm());
+  }
+}
+
+TEST_CASE("directions for which twigs are not accurate enough do without them", "[twigs]") {
+  const Vector3 axis = Vector3(2, 3, -1).normalized();
+  const AreaVectors area = sorted(banded(axis, 100'000));
+  const DirectionTree tree(area, {.fewest = 0, .error = least_error(area)});
+  Directions u = gaussian(20, 4);
+  u.push_back(axis);
+  const auto h = values(tree, u), without = values(DirectionTree(area, kNone), u);
+  CHECK(h.back() == without.back());
+  CHECK(h != without);
+}
+
+TEST_CASE("twigs change neither cuts nor values of a resolution", "[twigs]") {
+  const AreaVectors area = sorted(gaussian(100'000, 7));
+  const DirectionTree tree(area, {.fewest = 0, .error = 1e-6}), without(area, kNone);
+  REQUIRE(tree.bytes() > without.bytes());
+  const Directions u = gaussian(20, 8);
+  CHECK(cuts(tree, u) == cuts(without, u));
+  CHECK(values(tree, u, 0.01) == values(without, u, 0.01));
+}
+
+TEST_CASE("bits of values with twigs do not depend on threads", "[twigs]") {
+  const AreaVectors area = sorted(gaussian(100'000, 9));
+  const DirectionTree::TwigRule rule = {.fewest = 0, .error = 1e-6};
+  const Directions u = gaussian(200, 10);
+  const auto h = with_threads(1, [&] { return values(DirectionTree(area, rule), u); });
+  CHECK(with_threads(8, [&] { return values(DirectionTree(area, rule), u); }) == h);
+  CHECK(values(DirectionTree(area, rule), {u[7]})[0] == h[7]);
+}
+
+TEST_CASE("a tree gets no twigs where they would seldom be of use", "[twigs]") {
+  const auto bytes = [](const AreaVectors& vectors, const DirectionTree::TwigRule& rule) {
+    return DirectionTree(vectors, rule).bytes();
+  };
+  const AreaVectors coarse = sorted(gaussian(3000, 11)), fine = sorted(gaussian(100'000, 12));
+  CHECK(bytes(coarse, {.fewest = 0, .error = 1}) == bytes(coarse, kNone));  // nodes are wide
+  CHECK(bytes(fine, {.fewest = 0, .error = 1e-11}) == bytes(fine, kNone));  // not accurate enough
+  CHECK(bytes(fine, {.fewest = 100'001, .error = 1}) == bytes(fine, kNone));
+  CHECK(bytes(fine, {.fewest = 100'000, .error = 1}) > bytes(fine, kNone));
+}
