@@ -16,11 +16,31 @@ namespace {
 
 constexpr std::size_t kBatch = 150;  // a population of fifty rotations
 
+/// With it a large tree gets its twigs.
+double first_value(const DirectionTree& tree) {
+  const Vector3 u = Vector3::UnitX();
+  double h = 0;
+  tree.values({&u, 1}, {&h, 1});
+  return h;
+}
+
+void twigs(benchmark::State& state, std::size_t faces, int thread_count) {
+  const auto limit = threads(thread_count);
+  const AreaVectors& vectors = smooth_vectors(faces);
+  for (auto _ : state) {
+    state.PauseTiming();
+    const DirectionTree tree(vectors);
+    state.ResumeTiming();
+    benchmark::DoNotOptimize(first_value(tree));
+  }
+}
+
 void build(benchmark::State& state, std::size_t faces, int thread_count) {
   const auto limit = threads(thread_count);
   const AreaVectors& vectors = smooth_vectors(faces);
   for (auto _ : state) benchmark::DoNotOptimize(DirectionTree(vectors).size());
   const DirectionTree tree(vectors);
+  first_value(tree);
   const auto size = static_cast<double>(vectors.size());
   state.counters["bytes_per_face"] = static_cast<double>(tree.bytes()) / size;
   state.counters["memory_ratio"] = 1 + static_cast<double>(tree.bytes()) / (24 * size);
@@ -74,6 +94,7 @@ void query(benchmark::State& state, const AreaVectors& vectors, const std::vecto
   const auto limit = threads(1);
   const FlatSum flat(vectors);
   const DirectionTree tree(vectors);
+  first_value(tree);
   Directions directions(all, batch);
   std::vector<double> h(batch);
   std::vector<Vector3> g(batch);
@@ -161,6 +182,7 @@ void register_tree_benchmarks() {
     for (const int thread_count : {1, 2}) {
       const std::string size = pair("faces", faces) + pair("threads", static_cast<std::size_t>(thread_count));
       benchmark::RegisterBenchmark(("build" + size).c_str(), build, faces, thread_count)->UseRealTime();
+      benchmark::RegisterBenchmark(("twigs" + size).c_str(), twigs, faces, thread_count)->UseRealTime();
       benchmark::RegisterBenchmark(("chain" + size).c_str(), chain, faces, thread_count)->UseRealTime();
     }
   }

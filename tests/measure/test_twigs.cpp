@@ -1,4 +1,6 @@
 // Trees with twigs against long double sums, and against the same trees without them.
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -23,11 +25,18 @@ double exact(const AreaVectors& vectors, const Vector3& u) {
   return exact_value(all, u);
 }
 
+/// What a tree takes after the first value, which makes the twigs.
+std::size_t bytes(const AreaVectors& vectors, const DirectionTree::TwigRule& rule) {
+  const DirectionTree tree(vectors, rule);
+  values(tree, {Vector3::UnitX()});
+  return tree.bytes();
+}
+
 /// The error, up to a tenth, from which on a tree of these vectors gets twigs.
 double least_error(const AreaVectors& vectors) {
-  const std::size_t without = DirectionTree(vectors, kNone).bytes();
+  const std::size_t without = bytes(vectors, kNone);
   double error = 1e-12;
-  while (DirectionTree(vectors, {.fewest = 0, .error = error}).bytes() == without) {
+  while (bytes(vectors, {.fewest = 0, .error = error}) == without) {
     error *= 1.1;
     REQUIRE(error < 1e-3);
   }
@@ -117,10 +126,25 @@ TEST_CASE("directions for which twigs are not accurate enough do without them", 
 TEST_CASE("twigs change neither cuts nor values of a resolution", "[twigs]") {
   const AreaVectors area = sorted(gaussian(100'000, 7));
   const DirectionTree tree(area, {.fewest = 0, .error = 1e-6}), without(area, kNone);
-  REQUIRE(tree.bytes() > without.bytes());
   const Directions u = gaussian(20, 8);
+  CHECK(values(tree, u) != values(without, u));
   CHECK(cuts(tree, u) == cuts(without, u));
   CHECK(values(tree, u, 0.01) == values(without, u, 0.01));
+}
+
+TEST_CASE("twigs are made once, for whoever asks first", "[twigs]") {
+  const AreaVectors area = sorted(gaussian(100'000, 15));
+  const DirectionTree tree(area, {.fewest = 0, .error = 1e-6}), other = tree;
+  const std::size_t before = tree.bytes();
+  cuts(tree, {Vector3::UnitX()});
+  CHECK(tree.bytes() == before);
+  const Directions u = gaussian(8, 16);
+  std::vector<std::vector<double>> h(64);
+  with_threads(8, [&] {
+    tbb::parallel_for(std::size_t{0}, h.size(), [&](std::size_t i) { h[i] = values(i % 2 == 0 ? tree : other, u); });
+  });
+  CHECK(tree.bytes() > before);
+  CHECK(std::ranges::all_of(h, [&](const auto& one) { return one == values(tree, u); }));
 }
 
 TEST_CASE("bits of values with twigs do not depend on threads", "[twigs]") {
@@ -133,9 +157,6 @@ TEST_CASE("bits of values with twigs do not depend on threads", "[twigs]") {
 }
 
 TEST_CASE("a tree gets no twigs where they would seldom be of use", "[twigs]") {
-  const auto bytes = [](const AreaVectors& vectors, const DirectionTree::TwigRule& rule) {
-    return DirectionTree(vectors, rule).bytes();
-  };
   const AreaVectors coarse = sorted(gaussian(3000, 11)), fine = sorted(gaussian(100'000, 12));
   CHECK(bytes(coarse, {.fewest = 0, .error = 1}) == bytes(coarse, kNone));  // nodes are wide
   CHECK(bytes(fine, {.fewest = 0, .error = 1e-11}) == bytes(fine, kNone));  // not accurate enough

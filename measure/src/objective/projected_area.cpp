@@ -1,5 +1,7 @@
 #include "rectilin/measure/projected_area.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <array>
 
@@ -20,7 +22,8 @@ ProjectedArea::ProjectedArea(AreaVectors vectors, std::string name, SumMethod me
       name_(std::move(name)) {}
 
 const DirectionTree& ProjectedArea::tree() const {
-  std::call_once(tree_once_, [this] { tree_.emplace(vectors_); });
+  // Isolated, or this thread could meanwhile take a task of another that waits here for it.
+  std::call_once(tree_once_, [this] { tbb::this_task_arena::isolate([this] { tree_.emplace(vectors_); }); });
   return *tree_;
 }
 

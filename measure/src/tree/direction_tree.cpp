@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "tree/direction_tree_kernels.h"
+#include "tree/twig.h"
 
 namespace rectilin {
 namespace {
@@ -40,7 +41,8 @@ void DirectionTree::evaluate(std::span<const Vector3> u, std::span<Result> resul
         const double scale = slope_scale<double>(w);
         const Slope<double> s = slope<double>(w, scale);
         const double reach = std::sqrt(1 + s.a * s.a + s.b * s.b);
-        done[k] = walk(w, scale, DirectionQuery{s, reach, sine * sine}, results[pass + k]);
+        done[k] =
+            walk(w, scale, DirectionQuery{.slope = s, .reach = reach, .resolution = sine * sine}, results[pass + k]);
       }
     };
     all.is_divisible() ? tbb::parallel_for(all, some) : some(all);
@@ -57,9 +59,11 @@ void DirectionTree::evaluate(std::span<const Vector3> u, std::span<Result> resul
 }
 
 void DirectionTree::values(std::span<const Vector3> u, std::span<double> h, double resolution) const {
+  const Twig* const twigs = resolution > 0 ? nullptr : twigs_->get(*nodes_);
   evaluate(
       u, h, resolution,
-      [this](const Vector3& w, double scale, const DirectionQuery& query, double& value) {
+      [this, twigs](const Vector3& w, double scale, DirectionQuery query, double& value) {
+        query.twigs = twigs;
         TwoSum part{};
         const bool done = kernels_->values(*nodes_, query, &part);
         if (done) value = value_from_negative(total_, w, scale, part.value());
@@ -86,6 +90,8 @@ bool DirectionTree::worthwhile(std::size_t vectors) {
   return vectors >= 30000;
 }
 
-std::size_t DirectionTree::bytes() const { return sizeof(*this) + sizeof(DirectionTreeNodes) + bytes_; }
+std::size_t DirectionTree::bytes() const {
+  return sizeof(*this) + sizeof(DirectionTreeNodes) + bytes_ + twigs_->bytes();
+}
 
 }  // namespace rectilin

@@ -117,26 +117,11 @@ DirectionTree::DirectionTree(const AreaVectors& vectors, const TwigRule& twigs)
     sums = parents(sums);
   }
   total_ = sums.front();
-  if (size() >= twigs.fewest) add_twigs(*nodes, leaf_count, families[0], vectors.total, twigs.error);
+  nodes->widths = twigs.error * vectors.total / kTwigError;
   nodes_ = std::move(nodes);
-}
-
-/// Keeps twigs if most queries of random directions can use them: where circles meet them in the mean their error has
-/// to leave a margin, and few nodes may be too wide.
-void DirectionTree::add_twigs(DirectionTreeNodes& nodes, std::size_t leaf_count, std::size_t count, double total,
-                              double error) {
-  constexpr double kMargin = 1.25;
-  constexpr std::size_t kWideShare = 8;
-  constexpr double kShortest = 1e-200;
-  if (nodes.depth < 2 || !(total > kShortest)) return;
-  auto storage = allocate_nodes(count * sizeof(Twig));
-  auto* twigs = reinterpret_cast<Twig*>(storage.get());
-  const TwigStatistics expected = fill_twigs(nodes, leaf_count, twigs, count);
-  nodes.widths = error * total / kTwigError;
-  if (kMargin * expected.widths > nodes.widths || kWideShare * expected.wide > count) return;
-  nodes.twigs = twigs;
-  twig_storage_ = std::move(storage);
-  bytes_ += count * sizeof(Twig);
+  constexpr double kShortest = 1e-200;  // the total length below which steps of twigs could vanish
+  const bool fine = size() >= twigs.fewest && vectors.total > kShortest && nodes_->depth > 1;
+  twigs_ = std::make_shared<LazyTwigs>(leaf_count, fine ? families[0] : 0);
 }
 
 }  // namespace rectilin

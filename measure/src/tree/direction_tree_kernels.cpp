@@ -36,7 +36,7 @@ class Walk {
     int current = 0;
     for (int level = nodes_.depth - 1; level >= 0; --level, current = 1 - current) {
       if constexpr (kTwigs) {
-        if (level == 0 && nodes_.twigs != nullptr && !add_twigs(lists[current], size, lists[1 - current])) return false;
+        if (level == 0 && query_.twigs != nullptr && !add_twigs(lists[current], size, lists[1 - current])) return false;
       }
       size = test(level, lists[current], size, lists[1 - current]);
       if (size > nodes_.limits[level]) return false;

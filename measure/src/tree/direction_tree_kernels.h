@@ -55,15 +55,15 @@ struct DirectionTreeNodes {
   const DirectionFamily* levels[kMaxLevels] = {};
   /// For each level how many nodes a query may open before it gives up; at most kMostOpened.
   std::size_t limits[kMaxLevels] = {};
-  int depth = 0;                ///< number of levels
-  const Twig* twigs = nullptr;  ///< of the nodes of level 1; null if there are none
-  double widths = 0;            ///< the largest sum of the radii of leaves that a query may read from twigs
+  int depth = 0;      ///< number of levels
+  double widths = 0;  ///< the largest sum of the radii of leaves that a query may read from twigs
 };
 
 struct DirectionQuery {
   Slope<double> slope;
-  double reach;       ///< |u| / |scale|: the circle meets a cap of radius r if |s| < |V| sin(r) reach
-  double resolution;  ///< squared sine of the radius up to which a node is not opened
+  double reach;                 ///< |u| / |scale|: the circle meets a cap of radius r if |s| < |V| sin(r) reach
+  double resolution;            ///< squared sine of the radius up to which a node is not opened
+  const Twig* twigs = nullptr;  ///< of the nodes of level 1, if there are any
 };
 
 /// Adds the sums over the nodes of one query: of min(s, 0) to sums[0], or of V where s < 0 to sums[0..2]. Returns false

@@ -76,7 +76,7 @@ class TwigSum {
       request_sums<kSecond>(list[std::min(i + kFar, size - 1)]);
       request_sums<kFirst>(list[std::min(i + kNear, size - 1)]);
       const std::size_t k = i - begin;
-      const unsigned met = test_twig(nodes_.twigs[list[i]], k, chunk);
+      const unsigned met = test_twig(query_.twigs[list[i]], k, chunk);
       leaves.append(static_cast<std::uint32_t>(kFan * k), met);
       lines.append(static_cast<std::uint32_t>(kTwigLines * list[i] + kFirstLeafLine), met);
     }
@@ -179,7 +179,7 @@ class TwigSum {
   }
 
   HWY_INLINE const std::uint64_t* vectors(const Chunk& chunk, std::size_t i) const {
-    return reinterpret_cast<const std::uint64_t*>(nodes_.twigs) + kLeaf * std::size_t{chunk.lines[i]};
+    return reinterpret_cast<const std::uint64_t*>(query_.twigs) + kLeaf * std::size_t{chunk.lines[i]};
   }
 
   HWY_INLINE void request_vectors(const Chunk& chunk, std::size_t i) const {
@@ -188,7 +188,7 @@ class TwigSum {
 
   template <Cache kCache>
   HWY_INLINE void request_sums(std::uint32_t node) const {
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(nodes_.twigs + node);
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(query_.twigs + node);
     for (std::size_t line = 0; line < kFirstLeafLine; ++line) __builtin_prefetch(bytes + 64 * line, 0, kCache);
   }
 

@@ -3,13 +3,16 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "rectilin/base/rotation.h"
+#include "tree/storage.h"
 
 namespace rectilin {
 namespace {
@@ -98,6 +101,18 @@ Node fill_sum(const Node& leaf, const Node& parent, const Axes& axes, Twig& twig
   return result;
 }
 
+/// What queries of random directions may expect of twigs.
+struct TwigStatistics {
+  double widths = 0;     ///< mean sum of |V| sin(radius) over the leaves that a circle meets
+  std::size_t wide = 0;  ///< number of nodes that are not narrow
+
+  TwigStatistics& operator+=(const TwigStatistics& other) {
+    widths += other.widths;
+    wide += other.wide;
+    return *this;
+  }
+};
+
 TwigStatistics fill_twig(const DirectionTreeNodes& nodes, std::size_t index, std::size_t leaf_count, Twig& twig) {
   twig = {};
   const Node parent = node(nodes.levels[1][index / kFan], index % kFan);
@@ -114,22 +129,36 @@ TwigStatistics fill_twig(const DirectionTreeNodes& nodes, std::size_t index, std
   return result;
 }
 
-}  // namespace
-
+/// Fills the twigs of the first `count` nodes of level 1.
 TwigStatistics fill_twigs(const DirectionTreeNodes& nodes, std::size_t leaf_count, Twig* twigs, std::size_t count) {
   constexpr std::size_t kGrain = 256;
   return tbb::parallel_deterministic_reduce(
-      tbb::blocked_range<std::size_t>(0, count, kGrain), TwigStatistics{},
+      tbb::blocked_range<std::size_t>(0, count, kGrain), TwigStatistics(),
       [&](const tbb::blocked_range<std::size_t>& range, TwigStatistics sum) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) {
-          const TwigStatistics one = fill_twig(nodes, i, leaf_count, twigs[i]);
-          sum = {sum.widths + one.widths, sum.wide + one.wide};
-        }
+        for (std::size_t i = range.begin(); i < range.end(); ++i) sum += fill_twig(nodes, i, leaf_count, twigs[i]);
         return sum;
       },
-      [](TwigStatistics a, TwigStatistics b) {
-        return TwigStatistics{a.widths + b.widths, a.wide + b.wide};
-      });
+      [](TwigStatistics a, const TwigStatistics& b) { return a += b; });
+}
+
+}  // namespace
+
+const Twig* LazyTwigs::get(const DirectionTreeNodes& nodes) {
+  // Isolated, or this thread could take a task of someone else who then waits here for it.
+  std::call_once(once_, [&] { tbb::this_task_arena::isolate([&] { make(nodes); }); });
+  return reinterpret_cast<const Twig*>(storage_.get());
+}
+
+/// Keeps the twigs unless their error leaves little margin where circles meet them in the mean, or many nodes are wide.
+void LazyTwigs::make(const DirectionTreeNodes& nodes) {
+  constexpr double kMargin = 1.25;
+  constexpr std::size_t kWideShare = 8;
+  if (count_ == 0) return;
+  auto storage = allocate_nodes(count_ * sizeof(Twig));
+  const TwigStatistics expected = fill_twigs(nodes, leaf_count_, reinterpret_cast<Twig*>(storage.get()), count_);
+  if (kMargin * expected.widths > nodes.widths || kWideShare * expected.wide > count_) return;
+  storage_ = std::move(storage);
+  bytes_ = count_ * sizeof(Twig);
 }
 
 }  // namespace rectilin

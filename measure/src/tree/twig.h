@@ -1,8 +1,11 @@
 // Twigs: the lowest two levels of a direction tree once more, in half the bytes, for values alone.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 
 #include "tree/direction_tree_kernels.h"
 
@@ -48,13 +51,24 @@ inline constexpr double kMiddle = 0x1p20;
 /// nodes, where it is kNodeError times that.
 inline constexpr double kTwigError = 0x1p-17, kNodeError = 0x1p-9;
 
-/// What queries of random directions may expect of twigs.
-struct TwigStatistics {
-  double widths = 0;     ///< mean sum of R over the leaves that a circle meets
-  std::size_t wide = 0;  ///< number of nodes that are not narrow
-};
+/// The twigs of a tree, made when they are first asked for. Thread safe.
+class LazyTwigs {
+ public:
+  /// For `count` nodes of level 1; without any there are no twigs.
+  LazyTwigs(std::size_t leaf_count, std::size_t count) : leaf_count_(leaf_count), count_(count) {}
 
-/// Fills the twigs of the `count` nodes of level 1, in parallel.
-TwigStatistics fill_twigs(const DirectionTreeNodes& nodes, std::size_t leaf_count, Twig* twigs, std::size_t count);
+  /// Null if most queries of random directions could not use them. `nodes` are the same at every call.
+  const Twig* get(const DirectionTreeNodes& nodes);
+
+  std::size_t bytes() const { return bytes_; }  ///< memory used by now
+
+ private:
+  void make(const DirectionTreeNodes& nodes);
+
+  std::size_t leaf_count_, count_;
+  std::once_flag once_;
+  std::shared_ptr<std::byte[]> storage_;
+  std::atomic<std::size_t> bytes_ = 0;
+};
 
 }  // namespace rectilin

@@ -13,6 +13,7 @@ namespace rectilin {
 
 struct DirectionTreeKernels;
 struct DirectionTreeNodes;
+class LazyTwigs;
 
 /// A tree over the area vectors, in their stored order, which follows a space-filling curve of directions, and within
 /// runs of 32,768 in an order of its own.
@@ -37,9 +38,9 @@ class DirectionTree {
   /// is in force when it is made (see ScopedInstructionSet).
   explicit DirectionTree(const AreaVectors& vectors) : DirectionTree(vectors, TwigRule()) {}
 
-  /// A very fine mesh also gets twigs: vectors once more in 8 bytes, for values alone and only near the great circle,
-  /// where little depends on their lengths. A direction of ten million vectors then takes half the time, and making
-  /// the tree a quarter more.
+  /// A very fine mesh also gets twigs when values() is first asked for: vectors once more in 8 bytes, for values alone
+  /// and only near the great circle, where little depends on their lengths. A direction of ten million vectors
+  /// then takes half the time; making them takes a third of the time for a tree, or a little more.
   struct TwigRule {
     /// Number of vectors from which on a tree gets twigs. If circles meet much of it in the mean, for the error would
     /// be too large, it gets none nevertheless.
@@ -80,12 +81,11 @@ class DirectionTree {
   void evaluate(std::span<const Vector3> u, std::span<Result> results, double resolution, const Walk& walk,
                 const Flat& flat) const;
 
-  void add_twigs(DirectionTreeNodes& nodes, std::size_t leaf_count, std::size_t count, double total, double error);
-
   FlatSum flat_;
-  std::size_t bytes_ = 0;                                // size of storage_
-  std::shared_ptr<std::byte[]> storage_, twig_storage_;  // not written after construction, so copies share it
+  std::size_t bytes_ = 0;                 // size of storage_
+  std::shared_ptr<std::byte[]> storage_;  // not written after construction, so copies share it
   std::shared_ptr<const DirectionTreeNodes> nodes_;
+  std::shared_ptr<LazyTwigs> twigs_;
   const DirectionTreeKernels* kernels_;
   Vector3 total_ = Vector3::Zero();  // sum of the v_i, signed as in the leaves
 };
