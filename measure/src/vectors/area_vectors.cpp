@@ -181,10 +181,13 @@ AreaVectors merge(const std::vector<Vector3>& vectors, std::span<const OrderedVe
   CellMerger merger(vectors);
   for (std::size_t i = 0, end = 0; i < order.size(); i = end) {
     do {
-      constexpr std::size_t kAhead = 32;  // prefetching, because the order jumps through memory
+      // Requested into the second-level cache, because the order jumps through memory: a core can wait for more lines
+      // of that than of the first.
+      constexpr std::size_t kAhead = 64;
+      constexpr int kSecondLevel = 2;
       const Vector3& ahead = vectors[index(order[std::min(end + kAhead, order.size() - 1)])];
-      __builtin_prefetch(ahead.data());
-      __builtin_prefetch(ahead.data() + 2);
+      __builtin_prefetch(ahead.data(), 0, kSecondLevel);
+      __builtin_prefetch(ahead.data() + 2, 0, kSecondLevel);
     } while (++end < order.size() && cell(order[end]) == cell(order[i]));
     if (end - i == 1) out.write(vectors[index(order[i])]);
     else out = merger.merge(order.subspan(i, end - i), out);
