@@ -59,8 +59,9 @@ struct Place {
   double share = 0, p = 0, q = 0;
 };
 
+/// All zeros for the zero vector. (Other vectors of a narrow node point to the side of its sum.)
 Place place(const Vector3& w, const Vector3& sum, const Axes& axes) {
-  if (!(w[axes.longest] * sum[axes.longest] > 0)) return {};
+  if (w[axes.longest] == 0) return {};
   const double inverse = sum[axes.longest] / w[axes.longest], reciprocal = 1 / sum[axes.longest];
   return {w[axes.longest] * reciprocal, w[axes.first] * inverse - sum[axes.first],
           w[axes.second] * inverse - sum[axes.second]};
