@@ -11,6 +11,7 @@
 #include <bit>
 
 #include "hwy/highway.h"
+#include "rectilin/base/set_bits.h"
 #include "tree/direction_tree_kernels.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -92,23 +93,20 @@ HWY_INLINE void request_ahead(const Block* blocks, const std::uint32_t* list, st
   request<kFirst>(blocks[list[std::min(i + kNear, size - 1)]]);
 }
 
-/// Lists of nodes. The lane numbers are kept in memory: Highway's Iota would write them there one by one at each call,
-/// and reading them back at once would stall.
+/// A list of nodes.
 class NodeList {
  public:
-  HWY_INLINE explicit NodeList(std::uint32_t* nodes) : nodes_(nodes) {
-    for (std::uint32_t lane = 0; lane < kFan; ++lane) lanes_[lane] = lane;
-  }
+  HWY_INLINE explicit NodeList(std::uint32_t* nodes) : nodes_(nodes) {}
 
   /// Appends first + j for every set bit j of `bits`. Writes up to kFan entries past the end.
   HWY_INLINE void append(std::uint32_t first, unsigned bits) {
     const D32 d;
+    const hn::Rebind<std::uint8_t, D32> d8;
     for (std::size_t lane = 0; lane < kFan; lane += hn::Lanes(d)) {
-      const auto part = static_cast<std::uint8_t>((bits >> lane) & ((1u << hn::Lanes(d)) - 1));
-      const auto ids = hn::Add(hn::Set(d, first), hn::Load(d, lanes_ + lane));
-      hn::StoreU(hn::CompressBits(ids, &part), d, nodes_ + size_);
-      size_ += static_cast<std::size_t>(std::popcount(part));
+      const auto places = hn::PromoteTo(d, hn::LoadU(d8, kSetBits[bits].data() + lane));
+      hn::StoreU(hn::Add(hn::Set(d, first), places), d, nodes_ + size_ + lane);
     }
+    size_ += static_cast<std::size_t>(std::popcount(bits));
   }
 
   std::size_t size() const { return size_; }
@@ -116,7 +114,6 @@ class NodeList {
  private:
   std::uint32_t* nodes_;
   std::size_t size_ = 0;
-  HWY_ALIGN std::uint32_t lanes_[kFan];
 };
 
 }  // namespace

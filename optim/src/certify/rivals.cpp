@@ -11,6 +11,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "certify/store_chosen-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace rectilin::certification::HWY_NAMESPACE {
 namespace {
@@ -89,10 +91,10 @@ HWY_INLINE void add_rows(const CutTable::Square& square, const Eigen::Vector3d& 
       const auto wins = hn::And(hn::Gt(most, hn::Zero(d)), hn::FirstN(d, count));
       if (hn::AllFalse(d, wins)) continue;
       const auto add = [&](V v, CutList::PerRow<float>& to)
-                           HWY_ATTR { hn::StoreU(hn::Compress(v, wins), d, to.data() + list.size); };
+                           HWY_ATTR { store_chosen(d, v, wins, to.data() + list.size); };
       add(lead, list.lead), add(a, list.along[0]), add(b, list.along[1]), add(c, list.along[2]);
-      hn::StoreU(hn::Compress(hn::LoadU(numbers, block.index.data() + i), hn::RebindMask(numbers, wins)), numbers,
-                 list.row.data() + list.size);
+      store_chosen(numbers, hn::LoadU(numbers, block.index.data() + i), hn::RebindMask(numbers, wins),
+                   list.row.data() + list.size);
       list.size = std::min(list.size + hn::CountTrue(d, wins), CutList::kMost - 1);
     }
 }
