@@ -2,7 +2,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "rectilin/measure/direction_tree.h"
 #include "sums/cap.h"
 #include "tree/direction_tree_kernels.h"
+#include "tree/family.h"
 #include "tree/leaf_kernels.h"
 #include "tree/storage.h"
 #include "tree/twig.h"
@@ -28,15 +28,6 @@ constexpr std::size_t kTaskLeaves = 2048;
 constexpr std::size_t kLargestShare = 8;
 constexpr std::size_t kFreeShare = 512;
 constexpr std::size_t kFewest = 96;
-
-/// Writes child j of a family: the sum of its vectors, and |sum| sin(radius of their cap).
-void pack_node(DirectionFamily& family, std::size_t j, const Vector3& sum, double radius) {
-  const auto bits = std::bit_cast<std::uint64_t>(radius);
-  constexpr int kDropped = 39;
-  std::uint64_t kept = (bits + (std::uint64_t{1} << kDropped) - 1) >> kDropped;
-  for (int c = 2; c >= 0; --c, kept >>= 8)
-    family.sums[c][j] = (std::bit_cast<std::uint64_t>(sum[c]) & ~std::uint64_t{255}) | (kept & 255);
-}
 
 /// Fills all leaves with the vectors in k-d order and returns their sums. Runs have a fixed length, so that order and
 /// signs do not depend on the number of threads.
@@ -64,11 +55,11 @@ void fill_level(const DirectionTreeKernels& kernels, const DirectionTreeNodes& n
       const Vector3 axis = v.stableNormalized();
       const std::size_t begin = node * stride, end = std::min(begin + stride, leaf_count);
       const double radius = cap_radius(v.norm(), kernels.cap(nodes, begin, end, axis.data()));
-      pack_node(level[node / kFan], node % kFan, v, radius);
+      store_node(level[node / kFan], node % kFan, {v, radius});
     }
   });
   for (std::size_t node = sums.size(); node % kFan != 0; ++node)
-    pack_node(level[node / kFan], node % kFan, Vector3::Zero(), 0);
+    store_node(level[node / kFan], node % kFan, {Vector3::Zero(), 0});
 }
 
 /// The sums of the next level up, of kFan nodes each.
@@ -119,9 +110,7 @@ DirectionTree::DirectionTree(const AreaVectors& vectors, const TwigRule& twigs)
   total_ = sums.front();
   nodes->widths = twigs.error * vectors.total / kTwigError;
   nodes_ = std::move(nodes);
-  constexpr double kShortest = 1e-200;  // the total length below which steps of twigs could vanish
-  const bool fine = size() >= twigs.fewest && vectors.total > kShortest && nodes_->depth > 1;
-  twigs_ = std::make_shared<LazyTwigs>(leaf_count, fine ? families[0] : 0);
+  twigs_ = std::make_shared<LazyTwigs>(size() >= twigs.fewest && nodes_->depth > 1 ? leaf_count : 0);
 }
 
 }  // namespace rectilin

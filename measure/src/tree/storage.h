@@ -1,4 +1,4 @@
-// Memory for a direction tree: one block, on large pages where the system grants them.
+// Memory for a direction tree and its twigs: blocks on large pages where the system grants them.
 #pragma once
 
 #include <cstddef>

@@ -11,36 +11,17 @@
 #include <limits>
 #include <utility>
 
-#include "rectilin/base/rotation.h"
+#include "rectilin/base/ceil_div.h"
+#include "tree/family.h"
 #include "tree/storage.h"
 
 namespace rectilin {
 namespace {
 
-/// A node with its sum V and |V| sin(radius), as the families hold them.
-struct Node {
-  Vector3 sum;
-  double radius;
-};
-
-Node node(const DirectionFamily& family, std::size_t j) {
-  Node result;
-  std::uint64_t radius = 0;
-  for (int c = 0; c < 3; ++c) {
-    result.sum[c] = std::bit_cast<double>(family.sums[c][j]);
-    radius = radius << 8 | (family.sums[c][j] & 255);
-  }
-  result.radius = std::bit_cast<double>(radius << 39);
-  return result;
-}
-
 Vector3 vector(const DirectionLeaf& leaf, std::size_t i, std::uint64_t unit) {
   const auto component = [&](std::size_t c) { return 256.0 * leaf.high[c][i] + leaf.low[c][i]; };
   return std::bit_cast<double>((unit - leaf.exponent[i]) << 52) * Vector3(component(0), component(1), component(2));
 }
-
-// Nodes that are shorter count for nothing in meshes with twigs, and their steps could vanish.
-constexpr double kShortest = 1e-250;
 
 /// The axis along which a sum is longest, and the others in their order.
 struct Axes {
@@ -116,13 +97,13 @@ struct TwigStatistics {
 
 TwigStatistics fill_twig(const DirectionTreeNodes& nodes, std::size_t index, std::size_t leaf_count, Twig& twig) {
   twig = {};
-  const Node parent = node(nodes.levels[1][index / kFan], index % kFan);
+  const Node parent = load_node(nodes.levels[1][index / kFan], index % kFan);
   const Axes axes(parent.sum);
   TwigStatistics result;
   if (kNarrow * parent.radius > std::abs(parent.sum[axes.longest])) return {.wide = 1};
-  if (parent.radius < kShortest) return {};
+  if (parent.radius == 0) return {};  // all vectors are zero
   for (std::size_t j = 0; j < kFan && kFan * index + j < leaf_count; ++j) {
-    const Node leaf = fill_sum(node(nodes.levels[0][index], j), parent, axes, twig, j);
+    const Node leaf = fill_sum(load_node(nodes.levels[0][index], j), parent, axes, twig, j);
     if (twig.shares[j] == 0) continue;
     fill_vectors(nodes.leaves[kFan * index + j], nodes.unit, leaf, axes, twig.vectors[j]);
     result.widths += leaf.radius * std::min(1.0, leaf.radius / leaf.sum.norm());  // times the chance to be met
@@ -154,12 +135,13 @@ const Twig* LazyTwigs::get(const DirectionTreeNodes& nodes) {
 void LazyTwigs::make(const DirectionTreeNodes& nodes) {
   constexpr double kMargin = 1.25;
   constexpr std::size_t kWideShare = 8;
-  if (count_ == 0) return;
-  auto storage = allocate_nodes(count_ * sizeof(Twig));
-  const TwigStatistics expected = fill_twigs(nodes, leaf_count_, reinterpret_cast<Twig*>(storage.get()), count_);
-  if (kMargin * expected.widths > nodes.widths || kWideShare * expected.wide > count_) return;
+  if (leaf_count_ == 0) return;
+  const std::size_t count = ceil_div(leaf_count_, kFan), bytes = count * sizeof(Twig);
+  auto storage = allocate_nodes(bytes);
+  const TwigStatistics expected = fill_twigs(nodes, leaf_count_, reinterpret_cast<Twig*>(storage.get()), count);
+  if (kMargin * expected.widths > nodes.widths || kWideShare * expected.wide > count) return;
   storage_ = std::move(storage);
-  bytes_ = count_ * sizeof(Twig);
+  bytes_ = bytes;
 }
 
 }  // namespace rectilin

@@ -54,8 +54,8 @@ inline constexpr double kTwigError = 0x1p-17, kNodeError = 0x1p-9;
 /// The twigs of a tree, made when they are first asked for. Thread safe.
 class LazyTwigs {
  public:
-  /// For `count` nodes of level 1; without any there are no twigs.
-  LazyTwigs(std::size_t leaf_count, std::size_t count) : leaf_count_(leaf_count), count_(count) {}
+  /// For a tree with so many leaves and at least two levels; there are none if it is zero.
+  explicit LazyTwigs(std::size_t leaf_count) : leaf_count_(leaf_count) {}
 
   /// Null if most queries of random directions could not use them. `nodes` are the same at every call.
   const Twig* get(const DirectionTreeNodes& nodes);
@@ -65,7 +65,7 @@ class LazyTwigs {
  private:
   void make(const DirectionTreeNodes& nodes);
 
-  std::size_t leaf_count_, count_;
+  std::size_t leaf_count_;
   std::once_flag once_;
   std::shared_ptr<std::byte[]> storage_;
   std::atomic<std::size_t> bytes_ = 0;

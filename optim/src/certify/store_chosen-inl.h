@@ -19,8 +19,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Writes the lanes of a mask next to each other; what follows them, up to a whole register, becomes anything. For
 /// lanes of four or eight bytes.
 ///
-/// It is Highway's Compress, whose version 1.0 has its tables on the stack: compilers copy two kilobytes for each
-/// vector. Its CompressStore has none with AVX-512, but a Zen 4 takes long to compress into memory.
+/// It is Highway's Compress, whose version 1.0 has its tables on the stack: compilers copy half a kilobyte to two for
+/// each vector. Its CompressStore has none with AVX-512, but a Zen 4 takes long to compress into memory.
 template <class D>
 HWY_INLINE void store_chosen(D d, hn::Vec<D> v, hn::Mask<D> mask, hn::TFromD<D>* to) {
 #if HWY_TARGET == HWY_SCALAR  // a single lane

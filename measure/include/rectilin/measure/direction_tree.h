@@ -73,8 +73,8 @@ class DirectionTree {
   static bool worthwhile(std::size_t vectors);
 
   std::size_t size() const { return flat_.size(); }
-  std::size_t bytes()
-      const;  ///< memory used: about 20 bytes a vector, 30 with twigs, including the copies of the vectors
+  /// Memory used by now, including the copies of the vectors: about 20 bytes a vector, 30 with twigs.
+  std::size_t bytes() const;
 
  private:
   template <class Result, class Walk, class Flat>
