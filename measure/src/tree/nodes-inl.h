@@ -27,7 +27,7 @@ using D32 = hn::CappedTag<std::uint32_t, kFan>;
 
 // On large trees most visits miss the caches, so memory is requested kFar nodes ahead into the second-level cache, and
 // kNear nodes ahead into the first. A core can wait for far fewer lines of the first than of the second: with a single
-// request into the first a tree of ten million vectors takes 1.5 times as long (Zen 4).
+// request into the first a tree of ten million vectors takes 1.6 times as long (Zen 4).
 constexpr std::size_t kFar = 40, kNear = 8;
 
 struct Vectors {
